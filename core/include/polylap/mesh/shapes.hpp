@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+
+#include "polylap/mesh/polygon_mesh.hpp"
+
+namespace polylap {
+
+/// nx × ny quads on the rectangle [0, width] × [0, height] of the plane z = 0; vertex (i, j) is j (nx + 1) + i.
+/// @param nx,ny at least 1   @param width,height positive, length
+/// @error bad_argument
+Result<PolygonMesh> make_grid(Index nx, Index ny, double width = 1, double height = 1);
+
+/// The n × n grid on [-½, ½]² lifted to z = height · (x² - y²) · 2, so that |z| ≤ height / 2.
+/// @error bad_argument
+Result<PolygonMesh> make_saddle(Index n, double height = 1);
+
+/// A torus around the z axis, nu quads the long way and nv the short way; closed, vertex (i, j) is i · nv + j.
+/// @param major,minor radii of the centre line and of the tube, major > minor > 0, length
+/// @error bad_argument when nu or nv < 3 or the radii do not fit
+Result<PolygonMesh> make_torus(Index nu, Index nv, double major = 1, double minor = 0.4);
+
+/// Moves each vertex along its normal (normalised sum of the vector areas at it) by `amplitude` · mean edge length · a value
+/// drawn uniformly from [-1, 1). The same seed gives the same mesh on every platform. Unreferenced vertices stay.
+Result<PolygonMesh> add_normal_noise(const PolygonMesh& mesh, double amplitude, std::uint32_t seed);
+
+}  // namespace polylap

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "polylap/solve/spd_factor.hpp"
+
+namespace polylap {
+
+/// S u = 0 at the free vertices, u given at the fixed ones: S_II u_I = -S_IB u_B. Factors once for any values.
+class DirichletProblem {
+public:
+    /// @param stiffness V×V symmetric positive semi-definite
+    /// @param fixed     distinct vertices
+    /// @error bad_argument (a fixed vertex out of range or twice), unconstrained_component (element = its lowest vertex): a connected part of the
+    ///        matrix graph has no fixed vertex, not_positive_definite (element = vertex), out_of_memory
+    static Result<DirichletProblem> create(const SparseMatrix& stiffness, std::span<const Index> fixed);
+
+    /// @param fixed_values B×k, in the order of `fixed`, finite
+    /// @return V×k. A vertex without an equation (empty row: in no face) that is not fixed gets NaN.
+    /// @error bad_argument
+    Result<Matrix> solve(const Eigen::Ref<const Matrix>& fixed_values) const;
+
+private:
+    DirichletProblem() = default;
+
+    std::vector<Index> fixed_;
+    std::vector<Index> free_;
+    SparseMatrix coupling_;  ///< S_IB
+    SpdFactor factor_;
+    Index size_ = 0;
+};
+
+}  // namespace polylap

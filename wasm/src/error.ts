@@ -1,0 +1,16 @@
+import type { ErrorCode } from './generated.js';
+
+/** An error of the core (`code` from its list) or of the worker that hosts it (`worker-failed`). */
+export class PolylapError extends Error {
+  override readonly name = 'PolylapError';
+  constructor(
+    readonly code: ErrorCode | 'worker-failed',
+    message: string,
+    /** Face, edge or vertex, counted from 0 (the message says which); -1: none. */
+    readonly element = -1,
+    /** Line of the file, counted from 1; -1: not from a file. */
+    readonly line = -1,
+  ) {
+    super(message);
+  }
+}
