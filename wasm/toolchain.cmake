@@ -22,6 +22,7 @@ endif()
 # Emscripten searches its sysroot only; Eigen's package is header-only and serves every target.
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE BOTH)
 include("${POLYLAP_EMSCRIPTEN_FILE}")
+set(CMAKE_CXX_FLAGS_INIT -msimd128)
 list(APPEND CMAKE_PREFIX_PATH /usr /usr/local /opt/homebrew)
 
 # The emulator that emcmake would set passes flags that recent Node refuses.
