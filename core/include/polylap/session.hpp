@@ -17,8 +17,9 @@ namespace polylap {
 
 /// One mesh, two sides that each have an operator and a surface of their own, and caches: the facade behind the page.
 ///
-/// Both sides start on the loaded mesh. Smoothing moves a side's surface; weights and harmonic functions are those of the surface as it
-/// stands. What was built is kept for as long as surface, whole spec and problem stay the same. A call that fails changes nothing.
+/// Both sides start on the loaded mesh. Smoothing moves a side's surface; weights and harmonic functions are those of
+/// the surface as it stands. What was built is kept for as long as surface, whole spec and problem stay the same. A
+/// call that fails changes nothing.
 class Session {
 public:
     enum class Side : std::uint8_t { a, b };
@@ -37,7 +38,8 @@ public:
     const Topology& topology() const noexcept;
     const DisplayTriangles& display() const noexcept;
 
-    /// Centre of the loaded mesh's bounding box: float outputs are relative to it, so that meshes far from 0 keep their digits.
+    /// Centre of the loaded mesh's bounding box: float outputs are relative to it, so that meshes far from 0 keep their
+    /// digits.
     const Vector3& origin() const noexcept;
 
     /// @error see complete_spec; the side keeps its operator then
@@ -56,38 +58,45 @@ public:
 
     struct Weights {
         WeightSummary summary;
-        std::vector<float> segments;       ///< 6 a segment: both ends relative to origin(), laid on the surface (see drape_pairs).
-        std::vector<float> segment_starts; ///< Per segment, length along its line.
-        std::vector<Index> segment_pairs;  ///< Per segment, index into summary.negative.
+        std::vector<float>
+            segments;  ///< 6 a segment: both ends relative to origin(), laid on the surface (see drape_pairs).
+        std::vector<float> segment_starts;  ///< Per segment, length along its line.
+        std::vector<Index> segment_pairs;   ///< Per segment, index into summary.negative.
     };
     Result<Weights> weights(Side side, Monitor monitor = {});
 
     struct Shape {
         ShapeMeasures measures;
-        std::optional<double> volume; ///< Only of a closed, consistently oriented surface.
-        std::string no_volume;        ///< Why there is no volume.
+        std::optional<double> volume;  ///< Only of a closed, consistently oriented surface.
+        std::string no_volume;         ///< Why there is no volume.
     };
     Shape shape(Side side) const;
 
     struct SmoothOptions {
-        double time = 0;      ///< t in (M + tS)x' = Mx, length².
+        double time = 0;  ///< t in (M + tS)x' = Mx, length².
         int steps = 1;
-        bool rebuild = true;  ///< Build S and M anew on the moved surface before each step; otherwise keep those of the loaded mesh.
+        bool rebuild = true;  ///< Build S and M anew on the moved surface before each step; otherwise keep those of the
+                              ///< loaded mesh.
     };
     /// Smooths the side's surface. Stops between steps when the monitor says so, and leaves the surface as it was.
-    /// @error bad_argument, degenerate_face (element = face), mass_not_positive, not_positive_definite (element = vertex), out_of_memory, cancelled
+    /// @error bad_argument, degenerate_face (element = face), mass_not_positive, not_positive_definite (element =
+    /// vertex), out_of_memory, cancelled
     Status smooth(Side side, const SmoothOptions& options, Monitor monitor = {});
 
     struct Harmonic {
-        Vector values;               ///< V; NaN at unreferenced vertices.
-        double min = 0, max = 0;     ///< Over the finite values.
+        Vector values;            ///< V; NaN at unreferenced vertices.
+        double min = 0, max = 0;  ///< Over the finite values.
         double fixed_min = 0, fixed_max = 0;
-        std::vector<Index> outside;  ///< Vertices beyond the fixed range by more than outside_tolerance of its width: the maximum principle fails.
+        std::vector<Index>
+            outside;  ///< Vertices beyond the fixed range by more than outside_tolerance: the maximum principle fails.
     };
+    /// Relative to the width of the fixed range and to the largest fixed value: rounding is no violation.
     static constexpr double outside_tolerance = 1e-9;
     /// The harmonic function of the side's operator on its surface with the given values at the given vertices.
-    /// @error bad_argument (lengths differ, vertex out of range or twice, value not finite), unconstrained_component, not_positive_definite (element = vertex), …
-    Result<Harmonic> harmonic(Side side, std::span<const Index> vertices, std::span<const double> values, Monitor monitor = {});
+    /// @error bad_argument (lengths differ, vertex out of range or twice, value not finite), unconstrained_component,
+    /// not_positive_definite (element = vertex), …
+    Result<Harmonic> harmonic(Side side, std::span<const Index> vertices, std::span<const double> values,
+                              Monitor monitor = {});
 
     /// Back to the loaded mesh.
     void reset(Side side);

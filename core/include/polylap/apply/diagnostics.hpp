@@ -19,23 +19,26 @@ struct Weight {
 
 /// The negative weights of a stiffness matrix.
 struct WeightSummary {
-    Index negative_ordered = 0;   ///< Negative w_ij over ordered pairs (i, j), as Herholz 2012 counts.
-    Index nonzero_ordered = 0;    ///< All off-diagonal w_ij beyond the tolerance, ordered pairs.
-    double smallest = 0;          ///< Least w_ij; 0 for a diagonal matrix.
-    double largest = 0;           ///< Greatest w_ij.
-    std::vector<Weight> negative; ///< Each unordered pair once, i < j, sorted; of a non-symmetric pair the smaller value.
+    Index negative_ordered = 0;  ///< Negative w_ij over ordered pairs (i, j), as Herholz 2012 counts.
+    Index nonzero_ordered = 0;   ///< All off-diagonal w_ij beyond the tolerance, ordered pairs.
+    double smallest = 0;         ///< Least w_ij; 0 for a diagonal matrix.
+    double largest = 0;          ///< Greatest w_ij.
+    std::vector<Weight>
+        negative;  ///< Each unordered pair once, i < j, sorted; of a non-symmetric pair the smaller value.
 };
 WeightSummary summarise_weights(const SparseMatrix& stiffness);
 
 /// Size and shape of a surface.
 struct ShapeMeasures {
-    double area = 0;             ///< Σ |a_f|, length².
-    double mean_non_planarity = 0; ///< Mean over faces of the RMS distance of the corners from their plane over √|a|; 0 = all planar.
-    double mean_squared_edge = 0; ///< h²: mean squared length over edges, length².
+    double area = 0;  ///< Σ |a_f|, length².
+    double mean_non_planarity =
+        0;  ///< Mean over faces of the RMS distance of the corners from their plane over √|a|; 0 = all planar.
+    double mean_squared_edge = 0;  ///< h²: mean squared length over edges, length².
 };
 ShapeMeasures measure_shape(const PolygonMesh& mesh, const Topology& topology);
 
-/// Volume enclosed by a closed surface, length³: ⅓ Σ a_f · c_f, each face closed by a fan around the mean c_f of its corners.
+/// Volume enclosed by a closed surface, length³: ⅓ Σ a_f · c_f, each face closed by a fan around the mean c_f of its
+/// corners.
 /// @error open_mesh, non_manifold_edge (element = edge; the message names its vertices)
 Result<double> enclosed_volume(const PolygonMesh& mesh, const Topology& topology);
 

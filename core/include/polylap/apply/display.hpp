@@ -11,14 +11,16 @@ namespace polylap {
 /// Triangles that fill the faces, for drawing.
 struct DisplayTriangles {
     std::vector<std::array<Index, 3>> triangles;  ///< Vertices; Σ (n_f - 2) of them, face after face.
-    std::vector<std::uint8_t> edges;              ///< Per triangle: bit k is set if its side k → k+1 is an edge of the polygon.
-    std::vector<Index> face;                      ///< Per triangle: its face.
+    std::vector<std::uint8_t> edges;  ///< Per triangle: bit k is set if its side k → k+1 is an edge of the polygon.
+    std::vector<Index> face;          ///< Per triangle: its face.
 };
 
-/// The Delaunay triangulation of each projected face, the planar operator's own. A face that has none (crossing itself, no area) gets a plain fan.
+/// The Delaunay triangulation of each projected face, the planar operator's own. A face that has none (crossing itself,
+/// no area) gets a plain fan.
 DisplayTriangles triangulate_for_display(const PolygonMesh& mesh);
 
-/// Lines between vertex pairs, laid on the display triangles of a face that both vertices share, so that they neither float nor sink.
+/// Lines between vertex pairs, laid on the display triangles of a face that both vertices share, so that they neither
+/// float nor sink.
 struct SurfaceLines {
     std::vector<std::array<Vector3, 2>> segments;
     std::vector<double> start;  ///< Per segment: length along its line at which it starts, so that dashes run on.

@@ -5,11 +5,13 @@
 
 namespace polylap {
 
-/// One implicit Euler step of the heat flow, (M + t S) x' = M x (Desbrun, Meyer, Schröder & Barr 1999). Factors once for any number of steps.
+/// One implicit Euler step of the heat flow, (M + t S) x' = M x (Desbrun, Meyer, Schröder & Barr 1999). Factors once
+/// for any number of steps.
 class ImplicitSmoother {
 public:
     /// @param matrices symmetric S, positive diagonal M   @param time t > 0, length²
-    /// @error bad_argument, mass_not_positive (element = vertex), not_positive_definite (element = vertex), out_of_memory
+    /// @error bad_argument, mass_not_positive (element = vertex), not_positive_definite (element = vertex),
+    /// out_of_memory
     static Result<ImplicitSmoother> create(const OperatorMatrices& matrices, double time);
 
     /// The same for other values of S, M and t: keeps the ordering and symbolic analysis while the pattern stands.

@@ -34,9 +34,9 @@ std::string_view error_code_name(ErrorCode code) noexcept;
 /// What went wrong, and where.
 struct Error {
     ErrorCode code = ErrorCode::bad_argument;
-    std::string message;       ///< One sentence for people; names the element or the line.
-    std::int64_t element = -1; ///< Face, edge or vertex (the message says which), counted from 0; -1: none.
-    std::int64_t line = -1;    ///< Line of the file, counted from 1; -1: not from a file.
+    std::string message;        ///< One sentence for people; names the element or the line.
+    std::int64_t element = -1;  ///< Face, edge or vertex (the message says which), counted from 0; -1: none.
+    std::int64_t line = -1;     ///< Line of the file, counted from 1; -1: not from a file.
 };
 
 /// A value or an Error. Nothing throws across polylap's public headers.

@@ -11,10 +11,10 @@ namespace polylap {
 
 /// How a planar polygon is cut into n-2 triangles by diagonals that lie inside it.
 enum class TriangulationRule : std::uint8_t {
-    delaunay,         ///< Constrained Delaunay: least Dirichlet energy (Rippa 1990), inner diagonals get weights ≥ 0.
-    min_max_angle,    ///< Smallest largest angle; ties by the next largest, and so on.
-    shortest_diagonal,///< The shortest inside diagonal first, then the shortest that does not cross it, and so on.
-    fan,              ///< All diagonals from the first corner that sees the whole polygon.
+    delaunay,       ///< Constrained Delaunay: least Dirichlet energy (Rippa 1990), inner diagonals get weights ≥ 0.
+    min_max_angle,  ///< Smallest largest angle; ties by the next largest, and so on.
+    shortest_diagonal,  ///< The shortest inside diagonal first, then the shortest that does not cross it, and so on.
+    fan,                ///< All diagonals from the first corner that sees the whole polygon.
 };
 
 using Triangle = std::array<Index, 3>;
@@ -22,8 +22,10 @@ using Triangle = std::array<Index, 3>;
 /// Cuts a simple polygon into triangles of positive area.
 /// @param polygon n ≥ 3 points, counter-clockwise; concave corners and straight ones (180°) are fine
 /// @param out     overwritten with n-2 triangles of local corner numbers, each counter-clockwise
-/// @error degenerate_face (without element) when the polygon crosses or touches itself or has no area, or when the rule is `fan` and no corner
+/// @error degenerate_face (without element) when the polygon crosses or touches itself or has no area, or when the rule
+/// is `fan` and no corner
 ///        sees the whole polygon. Cost O(n²) for delaunay on convex polygons, O(n³) at worst
-Status triangulate_polygon(std::span<const Eigen::Vector2d> polygon, TriangulationRule rule, std::vector<Triangle>& out);
+Status triangulate_polygon(std::span<const Eigen::Vector2d> polygon, TriangulationRule rule,
+                           std::vector<Triangle>& out);
 
 }  // namespace polylap

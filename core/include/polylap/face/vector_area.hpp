@@ -10,7 +10,8 @@ namespace polylap {
 /// The corners of one face, in order.
 using Corners = std::span<const Vector3>;
 
-/// Vector area a = ½ Σ xᵢ × xᵢ₊₁ (Alexa & Wardetzky 2011; Herholz 2012, eq. 4.8), length²; computed relative to the first corner.
+/// Vector area a = ½ Σ xᵢ × xᵢ₊₁ (Alexa & Wardetzky 2011; Herholz 2012, eq. 4.8), length²; computed relative to the
+/// first corner.
 Vector3 vector_area(Corners corners);
 
 /// A vector area below this multiple of the squared perimeter counts as zero.
@@ -22,8 +23,8 @@ bool has_zero_area(Corners corners, const Vector3& area);
 /// The maximal projection of a face: its corners in an orthonormal frame of the plane perpendicular to its vector area,
 /// relative to the first corner and counter-clockwise.
 struct Projection {
-    Vector3 normal;  ///< Unit vector area.
-    double area = 0; ///< |a|, length².
+    Vector3 normal;   ///< Unit vector area.
+    double area = 0;  ///< |a|, length².
     std::vector<Eigen::Vector2d> points;
 };
 

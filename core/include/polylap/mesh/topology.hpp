@@ -12,9 +12,9 @@ namespace polylap {
 struct Edge {
     Index v0 = 0;
     Index v1 = 0;
-    Index forward = 0;    ///< Faces that go v0 → v1.
-    Index backward = 0;   ///< Faces that go v1 → v0.
-    Index first_face = 0; ///< The lowest face at this edge.
+    Index forward = 0;     ///< Faces that go v0 → v1.
+    Index backward = 0;    ///< Faces that go v1 → v0.
+    Index first_face = 0;  ///< The lowest face at this edge.
 
     Index faces() const noexcept { return forward + backward; }
     bool boundary() const noexcept { return faces() == 1; }
@@ -24,11 +24,11 @@ struct Edge {
 
 /// Edges, boundary and components of a mesh, computed once per connectivity.
 struct Topology {
-    std::vector<Edge> edges;             ///< Sorted by (v0, v1).
-    std::vector<Index> component;        ///< V: component of each vertex, from 0; -1 for an unreferenced vertex.
-    Index component_count = 0;           ///< Components that have faces.
-    std::vector<Index> boundary_vertices;///< Sorted: vertices on an edge with one face.
-    std::vector<Index> unreferenced;     ///< Sorted: vertices in no face.
+    std::vector<Edge> edges;               ///< Sorted by (v0, v1).
+    std::vector<Index> component;          ///< V: component of each vertex, from 0; -1 for an unreferenced vertex.
+    Index component_count = 0;             ///< Components that have faces.
+    std::vector<Index> boundary_vertices;  ///< Sorted: vertices on an edge with one face.
+    std::vector<Index> unreferenced;       ///< Sorted: vertices in no face.
 };
 
 /// O(C log C) for C corners.
@@ -47,7 +47,8 @@ std::vector<MeshIssue> find_issues(const Topology& topology);
 std::string_view issue_name(MeshIssue::Kind kind) noexcept;
 
 /// The closed loops of the boundary, each in the direction of its faces, starting at its lowest vertex.
-/// @error non_manifold_edge (element = edge; the message names its two vertices) when an edge has more than two faces, two
+/// @error non_manifold_edge (element = edge; the message names its two vertices) when an edge has more than two faces,
+/// two
 ///        neighbouring faces disagree in orientation, or a vertex lies on the boundary more than once
 Result<std::vector<std::vector<Index>>> boundary_loops(const Topology& topology);
 

@@ -15,10 +15,10 @@ namespace polylap {
 struct Parameter {
     enum class Kind : std::uint8_t { real, choice };
     const char* id;
-    const char* label;   ///< What the page shows, e.g. "λ".
+    const char* label;  ///< What the page shows, e.g. "λ".
     Kind kind;
-    double min, max;     ///< What is allowed.
-    double slider_max;   ///< Where a slider ends (it starts at min): the span worth exploring.
+    double min, max;    ///< What is allowed.
+    double slider_max;  ///< Where a slider ends (it starts at min): the span worth exploring.
     double step;
     double initial;
     std::span<const char* const> choices = {};
@@ -58,15 +58,16 @@ struct OperatorMatrices {
 
 /// One line of the operator table.
 struct OperatorInfo {
-    const char* id;             ///< Kebab case.
+    const char* id;  ///< Kebab case.
     const char* label;
     const char* formula_latex;  ///< For people, of the face or of the weight.
     const char* citation;
-    const char* summary;        ///< One sentence.
+    const char* summary;  ///< One sentence.
     std::span<const Parameter> parameters;
     PropertyClaims claims;
     /// @param values one per parameter, in range
-    Result<OperatorMatrices> (*build)(const PolygonMesh& mesh, std::span<const double> values, Mass mass, Monitor monitor);
+    Result<OperatorMatrices> (*build)(const PolygonMesh& mesh, std::span<const double> values, Mass mass,
+                                      Monitor monitor);
 };
 
 /// The operator table, in the order of the menus. Explicit, because self-registration vanishes from a static library.

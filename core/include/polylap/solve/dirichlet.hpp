@@ -12,7 +12,8 @@ class DirichletProblem {
 public:
     /// @param stiffness V×V symmetric positive semi-definite
     /// @param fixed     distinct vertices
-    /// @error bad_argument (a fixed vertex out of range or twice), unconstrained_component (element = its lowest vertex): a connected part of the
+    /// @error bad_argument (a fixed vertex out of range or twice), unconstrained_component (element = its lowest
+    /// vertex): a connected part of the
     ///        matrix graph has no fixed vertex, not_positive_definite (element = vertex), out_of_memory
     static Result<DirichletProblem> create(const SparseMatrix& stiffness, std::span<const Index> fixed);
 

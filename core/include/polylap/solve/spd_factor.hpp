@@ -10,7 +10,8 @@ namespace polylap {
 /// A pivot below this multiple of the row's diagonal entry counts as zero: the matrix is not positive definite.
 inline constexpr double pivot_tolerance = 1e-14;
 
-/// Sparse Cholesky (LDLᵀ) of a symmetric positive definite matrix: analyse once per pattern, factor once per values, solve often.
+/// Sparse Cholesky (LDLᵀ) of a symmetric positive definite matrix: analyse once per pattern, factor once per values,
+/// solve often.
 class SpdFactor {
 public:
     SpdFactor();

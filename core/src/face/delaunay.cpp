@@ -1,0 +1,206 @@
+#include <algorithm>
+#include <optional>
+
+#include "face/triangulation_rules.hpp"
+
+namespace polylap {
+namespace {
+
+Error too_thin() {
+    return {ErrorCode::degenerate_face, "its projection is too thin to triangulate"};
+}
+
+/// Sine of the angle a–o–b times the lengths, and its cosine times the lengths.
+struct Angle {
+    double sine, cosine;
+    Angle(const PlanePolygon& p, Index a, Index o, Index b) {
+        const Eigen::Vector2d u = p[a] - p[o];
+        const Eigen::Vector2d v = p[b] - p[o];
+        sine = u.x() * v.y() - u.y() * v.x();
+        cosine = u.dot(v);
+    }
+};
+
+/// The angles at c and d opposite the edge a–b add to more than π by this much in sine before the edge is flipped:
+/// cocircular corners stay.
+constexpr double flip_tolerance = 1e-14;
+
+/// Edge a → b with c on its left and d on its right is not locally Delaunay: cot(c) + cot(d) < 0.
+bool should_flip(const PlanePolygon& p, Index a, Index b, Index c, Index d) {
+    const Angle at_c(p, a, c, b);
+    const Angle at_d(p, b, d, a);
+    const double sum = at_c.sine * at_d.cosine + at_c.cosine * at_d.sine;
+    const double scale = (p[a] - p[c]).norm() * (p[b] - p[c]).norm() * (p[a] - p[d]).norm() * (p[b] - p[d]).norm();
+    return sum < -flip_tolerance * scale && p.side(c, a, d) > 0 && p.side(d, b, c) > 0;
+}
+
+/// The Delaunay cut of a quad, without the machinery.
+Status cut_quad(const PlanePolygon& p, std::vector<Triangle>& out) {
+    const bool cut02 = p.side(0, 1, 2) > 0 && p.side(0, 2, 3) > 0;
+    const bool cut13 = p.side(0, 1, 3) > 0 && p.side(1, 2, 3) > 0;
+    if (!cut02 && !cut13) return too_thin();
+    if (cut02 && !(cut13 && should_flip(p, 0, 2, 3, 1))) {
+        out.assign({{0, 1, 2}, {0, 2, 3}});
+    } else {
+        out.assign({{0, 1, 3}, {1, 2, 3}});
+    }
+    return Done{};
+}
+
+/// A triangulation whose triangles know their neighbours: neighbour[t][k] lies across the side k → k+1 of t; -1
+/// outside.
+struct LinkedTriangles {
+    std::vector<Triangle> triangles;
+    std::vector<Triangle> neighbour;
+};
+
+/// Cuts ears, the best shaped first: of the polygon's corners that are left, those with nothing in their triangle.
+class EarClipper {
+public:
+    explicit EarClipper(const PlanePolygon& polygon)
+        : polygon_(polygon),
+          size_(static_cast<std::size_t>(polygon.size())),
+          next_(size_),
+          previous_(size_),
+          across_(size_, -1),
+          quality_(size_) {
+        for (Index i = 0; i < polygon.size(); ++i) {
+            at(next_, i) = polygon.next(i);
+            at(previous_, i) = polygon.previous(i);
+        }
+    }
+
+    std::optional<LinkedTriangles> run() {
+        LinkedTriangles mesh;
+        rate_all();
+        for (Index left = polygon_.size(); left > 3; --left) {
+            auto best = std::max_element(quality_.begin(), quality_.end());
+            if (*best <= 0) {
+                rate_all();  // a corner that blocked others may be gone
+                best = std::max_element(quality_.begin(), quality_.end());
+                if (*best <= 0) return std::nullopt;
+            }
+            cut(static_cast<Index>(best - quality_.begin()), mesh);
+        }
+        // Three corners are left; the last triangle closes all three sides.
+        const auto v = static_cast<Index>(std::max_element(quality_.begin(), quality_.end()) - quality_.begin());
+        if (at(quality_, v) <= 0) return std::nullopt;
+        const Index behind = at(across_, at(next_, v));
+        cut(v, mesh);
+        link(mesh, static_cast<Index>(mesh.triangles.size()) - 1, 2, behind);
+        return mesh;
+    }
+
+private:
+    template <class T>
+    static T& at(std::vector<T>& v, Index i) {
+        return v[static_cast<std::size_t>(i)];
+    }
+
+    void rate_all() {
+        for (Index i = 0; i < polygon_.size(); ++i) {
+            if (at(quality_, i) >= 0) rate(i);
+        }
+    }
+
+    /// Quality of the ear at v: 0 if it is none, otherwise twice its area over its squared edge lengths; -1 marks a
+    /// corner that is gone.
+    void rate(Index v) {
+        const Index p = at(previous_, v);
+        const Index q = at(next_, v);
+        at(quality_, v) = 0;
+        if (polygon_.side(p, v, q) <= 0) return;
+        for (Index w = at(next_, q); w != p; w = at(next_, w)) {
+            if (polygon_.side(p, v, w) >= 0 && polygon_.side(v, q, w) >= 0 && polygon_.side(q, p, w) >= 0) return;
+        }
+        const Angle angle(polygon_, q, v, p);
+        at(quality_, v) =
+            angle.sine / ((polygon_[p] - polygon_[v]).squaredNorm() + (polygon_[q] - polygon_[v]).squaredNorm() +
+                          (polygon_[q] - polygon_[p]).squaredNorm());
+    }
+
+    void cut(Index v, LinkedTriangles& mesh) {
+        const Index p = at(previous_, v);
+        const Index q = at(next_, v);
+        const auto t = static_cast<Index>(mesh.triangles.size());
+        mesh.triangles.push_back({p, v, q});
+        mesh.neighbour.push_back({-1, -1, -1});
+        link(mesh, t, 0, at(across_, p));
+        link(mesh, t, 1, at(across_, v));
+        at(across_, p) = t;
+        at(next_, p) = q;
+        at(previous_, q) = p;
+        at(quality_, v) = -1;
+        rate(p);
+        rate(q);
+    }
+
+    /// The triangles cut before always wait at their third side.
+    static void link(LinkedTriangles& mesh, Index t, std::size_t side, Index other) {
+        if (other < 0) return;
+        at(mesh.neighbour, t)[side] = other;
+        at(mesh.neighbour, other)[2] = t;
+    }
+
+    const PlanePolygon& polygon_;
+    std::size_t size_;
+    std::vector<Index> next_, previous_;
+    std::vector<Index> across_;  ///< Triangle already cut off along the edge i → next(i), or -1.
+    std::vector<double> quality_;
+};
+
+/// Lawson's flips: each lowers the Dirichlet energy, so they end; the bound only guards against rounding.
+void make_delaunay(const PlanePolygon& polygon, LinkedTriangles& mesh) {
+    const auto count = static_cast<Index>(mesh.triangles.size());
+    std::int64_t budget = static_cast<std::int64_t>(count) * count + 16;
+    std::vector<Index> stack;
+    for (Index t = 0; t < count; ++t) {
+        stack.push_back(t);
+    }
+    const auto tri = [&mesh](Index t) -> Triangle& { return mesh.triangles[static_cast<std::size_t>(t)]; };
+    const auto nbr = [&mesh](Index t) -> Triangle& { return mesh.neighbour[static_cast<std::size_t>(t)]; };
+    const auto replace = [&nbr](Index t, Index from, Index to) {
+        if (t >= 0) std::replace(nbr(t).begin(), nbr(t).end(), from, to);
+    };
+    while (!stack.empty()) {
+        const Index t = stack.back();
+        stack.pop_back();
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Index s = nbr(t)[k];
+            if (s < 0) continue;
+            const auto l = static_cast<std::size_t>(std::find(nbr(s).begin(), nbr(s).end(), t) - nbr(s).begin());
+            const Index a = tri(t)[k];
+            const Index b = tri(t)[(k + 1) % 3];
+            const Index c = tri(t)[(k + 2) % 3];
+            const Index d = tri(s)[(l + 2) % 3];
+            if (!should_flip(polygon, a, b, c, d)) continue;
+            if (--budget < 0) return;
+            const Index bc = nbr(t)[(k + 1) % 3];
+            const Index ca = nbr(t)[(k + 2) % 3];
+            const Index ad = nbr(s)[(l + 1) % 3];
+            const Index db = nbr(s)[(l + 2) % 3];
+            tri(t) = {c, a, d};
+            nbr(t) = {ca, ad, s};
+            tri(s) = {d, b, c};
+            nbr(s) = {db, bc, t};
+            replace(ad, s, t);
+            replace(bc, t, s);
+            stack.push_back(t);
+            stack.push_back(s);
+            break;
+        }
+    }
+}
+
+}  // namespace
+
+Status cut_delaunay(const PlanePolygon& polygon, std::vector<Triangle>& out) {
+    if (polygon.size() == 4) return cut_quad(polygon, out);
+    auto mesh = EarClipper(polygon).run();
+    if (!mesh) return too_thin();
+    make_delaunay(polygon, *mesh);
+    out = std::move(mesh->triangles);
+    return Done{};
+}
+
+}  // namespace polylap

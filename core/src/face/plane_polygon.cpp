@@ -1,0 +1,98 @@
+#include "face/plane_polygon.hpp"
+
+#include <limits>
+
+namespace polylap {
+namespace {
+
+/// Coordinates carry rounding errors of a few units in the last place of the diameter.
+constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+
+double cross(const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
+    return u.x() * v.y() - u.y() * v.x();
+}
+
+}  // namespace
+
+PlanePolygon::PlanePolygon(std::span<const Eigen::Vector2d> points) : points_(points) {
+    Eigen::Vector2d low = points.front();
+    Eigen::Vector2d high = low;
+    for (const auto& p : points) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+    }
+    diameter_ = (high - low).norm();
+}
+
+int PlanePolygon::side(Index a, Index b, Index c) const {
+    const Eigen::Vector2d u = (*this)[b] - (*this)[a];
+    const Eigen::Vector2d v = (*this)[c] - (*this)[a];
+    const double area = cross(u, v);
+    const double noise = rounding * diameter_ * (u.lpNorm<1>() + v.lpNorm<1>());
+    return area > noise ? 1 : (area < -noise ? -1 : 0);
+}
+
+bool PlanePolygon::strictly_convex() const {
+    Index turns = 0;  // how often the direction of the edges passes that of the x axis
+    for (Index i = 0; i < size(); ++i) {
+        if (side(previous(i), i, next(i)) <= 0) return false;
+        const double before = (*this)[i].y() - (*this)[previous(i)].y();
+        const double after = (*this)[next(i)].y() - (*this)[i].y();
+        if (before < 0 && after >= 0) ++turns;
+    }
+    return turns == 1;
+}
+
+/// c, known to lie on the line a–b, lies on the closed segment.
+bool PlanePolygon::within(Index a, Index b, Index c) const {
+    return ((*this)[c] - (*this)[a]).dot((*this)[c] - (*this)[b]) <= 0;
+}
+
+/// The edges i → i+1 and j → j+1 share a point that is no common corner.
+bool PlanePolygon::touch(Index i, Index j) const {
+    const Index i1 = next(i);
+    const Index j1 = next(j);
+    if (i1 == j) return side(i, i1, j1) == 0 && ((*this)[i] - (*this)[i1]).dot((*this)[j1] - (*this)[i1]) >= 0;
+    if (j1 == i) return touch(j, i);
+    const int a = side(i, i1, j);
+    const int b = side(i, i1, j1);
+    const int c = side(j, j1, i);
+    const int d = side(j, j1, i1);
+    if (a * b < 0 && c * d < 0) return true;
+    return (a == 0 && within(i, i1, j)) || (b == 0 && within(i, i1, j1)) || (c == 0 && within(j, j1, i)) ||
+           (d == 0 && within(j, j1, i1));
+}
+
+bool PlanePolygon::simple() const {
+    if (strictly_convex()) return true;
+    for (Index i = 0; i < size(); ++i) {
+        for (Index j = 0; j < i; ++j) {
+            if (touch(i, j)) return false;
+        }
+    }
+    return true;
+}
+
+bool PlanePolygon::inside_diagonal(Index i, Index j) const {
+    if (next(i) == j || next(j) == i) return false;
+    // It must leave i between the two edges there, on the inner side.
+    const Index before = previous(i);
+    const Index after = next(i);
+    const bool convex = side(before, i, after) > 0;
+    const bool left_of_after = side(i, after, j) > 0;
+    const bool left_of_before = side(before, i, j) > 0;
+    if (convex ? !(left_of_after && left_of_before) : !(left_of_after || left_of_before)) {
+        // At a straight corner both tests are the same; at a reflex one either is enough.
+        return false;
+    }
+    for (Index k = 0; k < size(); ++k) {
+        if (k == i || k == j) continue;
+        if (side(i, j, k) == 0 && within(i, j, k)) return false;
+        const Index l = next(k);
+        if (l == i || l == j) continue;
+        if (side(i, j, k) * side(i, j, l) < 0 && side(k, l, i) * side(k, l, j) < 0) return false;
+    }
+    return true;
+}
+
+}  // namespace polylap

@@ -1,0 +1,284 @@
+#include "polylap/session.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <limits>
+
+#include "cache.hpp"
+#include "polylap/apply/smoothing.hpp"
+#include "polylap/mesh/mesh_io.hpp"
+#include "polylap/solve/dirichlet.hpp"
+
+namespace polylap {
+namespace {
+
+/// What matrices depend on. Every surface that a session makes gets a new version, the loaded mesh is 0.
+struct MatricesKey {
+    std::int64_t surface;
+    OperatorSpec spec;
+    friend bool operator==(const MatricesKey&, const MatricesKey&) = default;
+};
+
+/// The last factorisation of M + tS. Its ordering and symbolic analysis outlive the values.
+struct SmootherSlot {
+    std::optional<MatricesKey> matrices;
+    double time = 0;
+    std::optional<ImplicitSmoother> smoother;
+
+    Status prepare(const MatricesKey& key, double t, const OperatorMatrices& built) {
+        if (matrices == key && time == t) return Done{};
+        matrices.reset();
+        if (!smoother) {
+            auto created = ImplicitSmoother::create(built, t);
+            if (!created) return created.error();
+            smoother = *std::move(created);
+        } else if (Status status = smoother->update(built, t); !status) {
+            return status;
+        }
+        matrices = key;
+        time = t;
+        return Done{};
+    }
+};
+
+struct DirichletKey {
+    MatricesKey matrices;
+    std::vector<Index> fixed;
+    friend bool operator==(const DirichletKey&, const DirichletKey&) = default;
+};
+
+struct SideState {
+    OperatorSpec spec;
+    PolygonMesh surface;
+    std::int64_t version = 0;
+    int steps = 0;
+
+    MatricesKey key() const { return {version, spec}; }
+};
+
+std::string lower_case_ending(std::string_view name) {
+    const auto dot = name.rfind('.');
+    std::string ending(dot == std::string_view::npos ? std::string_view() : name.substr(dot));
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    return ending;
+}
+
+}  // namespace
+
+struct Session::Impl {
+    PolygonMesh loaded;
+    Topology topology;
+    DisplayTriangles display;
+    Vector3 origin;
+    std::array<SideState, 2> sides;
+    std::int64_t last_version = 0;
+
+    // Two sides before and after a step, or two sides with two specs each.
+    Cache<MatricesKey, OperatorMatrices, 4> matrices;
+    std::array<SmootherSlot, 2> smoothers;
+    Cache<DirichletKey, DirichletProblem, 4> problems;
+
+    explicit Impl(PolygonMesh mesh)
+        : loaded(std::move(mesh)),
+          topology(build_topology(*loaded.connectivity())),
+          display(triangulate_for_display(loaded)),
+          origin(0.5 * (loaded.positions().colwise().minCoeff() + loaded.positions().colwise().maxCoeff()).transpose()),
+          sides{SideState{default_spec(0), loaded}, SideState{default_spec(1), loaded}} {}
+
+    static OperatorSpec default_spec(std::size_t side) {
+        const auto table = operators();
+        return *make_spec(table[std::min(side, table.size() - 1)]->id, {});
+    }
+
+    SideState& side(Side s) { return sides[static_cast<std::size_t>(s)]; }
+    SmootherSlot& smoother(Side s) { return smoothers[static_cast<std::size_t>(s)]; }
+
+    Result<std::shared_ptr<const OperatorMatrices>> build(const PolygonMesh& surface, const MatricesKey& key,
+                                                          Monitor monitor) {
+        return matrices.get(key, [&] { return build_operator(surface, key.spec, monitor); });
+    }
+
+    std::vector<float> to_float(const Points& points) const {
+        std::vector<float> out;
+        out.reserve(static_cast<std::size_t>(points.size()));
+        for (const auto& p : points.rowwise()) {
+            for (int k = 0; k < 3; ++k) {
+                out.push_back(static_cast<float>(p[k] - origin[k]));
+            }
+        }
+        return out;
+    }
+};
+
+Session::Session(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
+Session::~Session() = default;
+
+Result<Session> Session::from_mesh(PolygonMesh mesh) {
+    return guard_memory([&]() -> Result<Session> { return Session(std::make_unique<Impl>(std::move(mesh))); });
+}
+
+Result<Session> Session::open(std::span<const std::byte> bytes, std::string_view name, Monitor monitor) {
+    if (lower_case_ending(name) != ".obj") {
+        return Error{ErrorCode::bad_argument,
+                     "'" + std::string(name) + "' is not an OBJ file: its name must end in .obj"};
+    }
+    auto mesh = read_obj(bytes, monitor);
+    if (!mesh) return mesh.error();
+    return from_mesh(*std::move(mesh));
+}
+
+const PolygonMesh& Session::mesh() const noexcept {
+    return impl_->loaded;
+}
+const Topology& Session::topology() const noexcept {
+    return impl_->topology;
+}
+const DisplayTriangles& Session::display() const noexcept {
+    return impl_->display;
+}
+const Vector3& Session::origin() const noexcept {
+    return impl_->origin;
+}
+
+Status Session::set_operator(Side side, OperatorSpec spec) {
+    auto complete = complete_spec(std::move(spec));
+    if (!complete) return complete.error();
+    impl_->side(side).spec = *std::move(complete);
+    return Done{};
+}
+
+const OperatorSpec& Session::spec(Side side) const noexcept {
+    return impl_->side(side).spec;
+}
+const PolygonMesh& Session::surface(Side side) const noexcept {
+    return impl_->side(side).surface;
+}
+int Session::step_count(Side side) const noexcept {
+    return impl_->side(side).steps;
+}
+
+std::vector<float> Session::float_positions(Side side) const {
+    return impl_->to_float(impl_->side(side).surface.positions());
+}
+
+Result<const OperatorMatrices*> Session::matrices(Side side, Monitor monitor) {
+    const SideState& state = impl_->side(side);
+    auto built = impl_->build(state.surface, state.key(), monitor);
+    if (!built) return built.error();
+    return built->get();  // the cache holds it until a later call
+}
+
+Result<Session::Weights> Session::weights(Side side, Monitor monitor) {
+    const auto built = matrices(side, monitor);
+    if (!built) return built.error();
+    return guard_memory([&]() -> Result<Weights> {
+        Weights weights;
+        weights.summary = summarise_weights((*built)->stiffness);
+        SurfaceLines lines = drape_pairs(surface(side), impl_->display, weights.summary.negative);
+        for (const auto& segment : lines.segments) {
+            for (const Vector3& end : segment) {
+                for (int k = 0; k < 3; ++k) {
+                    weights.segments.push_back(static_cast<float>(end[k] - impl_->origin[k]));
+                }
+            }
+        }
+        weights.segment_starts.assign(lines.start.begin(), lines.start.end());
+        weights.segment_pairs = std::move(lines.pair);
+        return weights;
+    });
+}
+
+Session::Shape Session::shape(Side side) const {
+    Shape shape;
+    shape.measures = measure_shape(surface(side), impl_->topology);
+    if (const auto volume = enclosed_volume(surface(side), impl_->topology); volume) {
+        shape.volume = *volume;
+    } else {
+        shape.no_volume = volume.error().message;
+    }
+    return shape;
+}
+
+Status Session::smooth(Side side, const SmoothOptions& options, Monitor monitor) {
+    if (options.steps < 0) return Error{ErrorCode::bad_argument, "the number of steps must not be negative"};
+    SideState& state = impl_->side(side);
+    SideState moved = state;
+    for (int k = 0; k < options.steps; ++k) {
+        if (!monitor.proceed(static_cast<double>(k) / options.steps)) return Error{ErrorCode::cancelled, "cancelled"};
+        const MatricesKey key = options.rebuild ? moved.key() : MatricesKey{0, moved.spec};
+        const auto built = impl_->build(options.rebuild ? moved.surface : impl_->loaded, key, {});
+        if (!built) return built.error();
+        SmootherSlot& slot = impl_->smoother(side);
+        if (Status status = slot.prepare(key, options.time, **built); !status) return status;
+        auto points = slot.smoother->step(moved.surface.positions());
+        if (!points) return points.error();
+        auto surface = moved.surface.with_positions(*std::move(points));
+        if (!surface) return surface.error();
+        moved.surface = *std::move(surface);
+        moved.version = ++impl_->last_version;
+        ++moved.steps;
+    }
+    if (!monitor.proceed(1)) return Error{ErrorCode::cancelled, "cancelled"};
+    state = std::move(moved);
+    return Done{};
+}
+
+Result<Session::Harmonic> Session::harmonic(Side side, std::span<const Index> vertices, std::span<const double> values,
+                                            Monitor monitor) {
+    if (vertices.size() != values.size()) {
+        return Error{ErrorCode::bad_argument, std::to_string(vertices.size()) + " vertices are fixed, but " +
+                                                  std::to_string(values.size()) + " values were given"};
+    }
+    const SideState& state = impl_->side(side);
+    const DirichletKey key{state.key(), {vertices.begin(), vertices.end()}};
+    const auto problem = impl_->problems.get(key, [&]() -> Result<DirichletProblem> {
+        const auto built = impl_->build(state.surface, key.matrices, monitor);
+        if (!built) return built.error();
+        return DirichletProblem::create((*built)->stiffness, key.fixed);
+    });
+    if (!problem) return problem.error();
+    const auto solved =
+        (*problem)->solve(Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size())));
+    if (!solved) return solved.error();
+
+    Harmonic harmonic;
+    harmonic.values = solved->col(0);
+    const auto [fixed_min, fixed_max] = std::minmax_element(values.begin(), values.end());
+    harmonic.fixed_min = *fixed_min;
+    harmonic.fixed_max = *fixed_max;
+    harmonic.min = harmonic.max = harmonic.fixed_min;
+    const double slack = outside_tolerance * std::max({harmonic.fixed_max - harmonic.fixed_min,
+                                                       std::abs(harmonic.fixed_min), std::abs(harmonic.fixed_max)});
+    for (Index v = 0; v < harmonic.values.size(); ++v) {
+        const double u = harmonic.values[v];
+        if (!std::isfinite(u)) continue;
+        harmonic.min = std::min(harmonic.min, u);
+        harmonic.max = std::max(harmonic.max, u);
+        if (u < harmonic.fixed_min - slack || u > harmonic.fixed_max + slack) harmonic.outside.push_back(v);
+    }
+    return harmonic;
+}
+
+void Session::reset(Side side) {
+    SideState& state = impl_->side(side);
+    state.surface = impl_->loaded;
+    state.version = 0;
+    state.steps = 0;
+}
+
+Status Session::restore(Side side, Points positions, int steps) {
+    if (steps < 0) return Error{ErrorCode::bad_argument, "the number of steps must not be negative"};
+    auto surface = impl_->loaded.with_positions(std::move(positions));
+    if (!surface) return surface.error();
+    SideState& state = impl_->side(side);
+    state.surface = *std::move(surface);
+    state.version = ++impl_->last_version;
+    state.steps = steps;
+    return Done{};
+}
+
+}  // namespace polylap
