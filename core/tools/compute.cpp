@@ -1,0 +1,72 @@
+// The commands that compute: `matrix`, `smooth` and `harmonic`.
+#include "commands.hpp"
+#include "open_session.hpp"
+#include "polylap/mesh/mesh_io.hpp"
+
+namespace polylap::tool {
+namespace {
+
+constexpr auto side = Session::Side::a;
+
+/// A session on the mesh whose side a has the operator.
+Result<Session> open_with_operator(const std::string& mesh, const OperatorChoice& choice) {
+    auto spec = make_spec(choice.id, choice.settings);
+    if (!spec) return spec.error();
+    auto session = open_session(mesh);
+    if (!session) return session;
+    if (auto status = session->set_operator(side, std::move(*spec)); !status) return status.error();
+    return session;
+}
+
+/// The operator and its parameters in one line.
+std::string describe(const OperatorSpec& spec, const OperatorInfo& info) {
+    std::string text = spec.id;
+    for (std::size_t i = 0; i < info.parameters.size() && i < spec.values.size(); ++i) {
+        const Parameter& parameter = info.parameters[i];
+        text += std::string(", ") + parameter.id + " = ";
+        if (parameter.kind == Parameter::Kind::choice)
+            text += parameter.choices[static_cast<std::size_t>(spec.values[i])];
+        else
+            append_number(text, spec.values[i]);
+    }
+    return text;
+}
+
+}  // namespace
+
+Result<Outputs> matrix(const std::string& mesh, const OperatorChoice& choice, const std::string& stiffness_path, const std::string& mass_path) {
+    auto session = open_with_operator(mesh, choice);
+    if (!session) return session.error();
+    const auto info = find_operator(choice.id);
+    if (!info) return info.error();
+    const auto matrices = session->matrices(side);
+    if (!matrices) return in_file(mesh, matrices.error());
+    const std::string description = describe(session->spec(side), **info);
+    Outputs outputs{{stiffness_path, matrix_market((*matrices)->stiffness, (*info)->claims.symmetric == Claim::yes, "stiffness: " + description)}};
+    if (!mass_path.empty()) outputs.push_back({mass_path, matrix_market((*matrices)->mass, true, "mass: " + description)});
+    return outputs;
+}
+
+Result<Outputs> smooth(const std::string& mesh, const OperatorChoice& choice, const SmoothChoice& options, const std::string& path) {
+    auto session = open_with_operator(mesh, choice);
+    if (!session) return session.error();
+    const double h2 = session->shape(side).measures.mean_squared_edge;
+    const double time = options.time ? *options.time : options.time_h2.value() * h2;
+    if (auto status = session->smooth(side, {.time = time, .steps = options.steps, .rebuild = !options.keep_operator}); !status)
+        return in_file(mesh, status.error());
+    return Outputs{{path, write_obj(session->surface(side))}};
+}
+
+Result<Outputs> harmonic(const std::string& mesh, const OperatorChoice& choice, const std::string& fixed_path, const std::string& path) {
+    auto session = open_with_operator(mesh, choice);
+    if (!session) return session.error();
+    const auto text = read_file(fixed_path);
+    if (!text) return text.error();
+    const auto fixed = parse_fixed_values(*text, session->mesh().vertex_count());
+    if (!fixed) return in_file(fixed_path, fixed.error());
+    const auto result = session->harmonic(side, fixed->vertices, fixed->values);
+    if (!result) return in_file(mesh, result.error());
+    return Outputs{{path, values_csv(result->values)}};
+}
+
+}  // namespace polylap::tool

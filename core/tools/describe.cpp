@@ -1,0 +1,164 @@
+// The commands that describe: `info` and `operators`.
+#include <iomanip>
+#include <map>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "open_session.hpp"
+#include "polylap/mesh/topology.hpp"
+
+namespace polylap::tool {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string dump(const ordered_json& document) {
+    return document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n';
+}
+
+std::string info_text(const ordered_json& facts) {
+    std::ostringstream text;
+    text << std::setprecision(10);
+    const auto line = [&text](const char* label) -> std::ostream& {
+        text << std::left << std::setw(22) << label;
+        return text;
+    };
+    const auto or_why = [](const ordered_json& value, const ordered_json& why) {
+        return value.is_null() ? "none: " + why.get<std::string>() : value.dump();
+    };
+    line("vertices") << facts["vertices"] << '\n';
+    line("faces") << facts["faces"] << '\n';
+    line("edges") << facts["edges"] << '\n';
+    line("components") << facts["components"] << '\n';
+    line("boundary vertices") << facts["boundaryVertices"] << '\n';
+    line("boundary loops") << or_why(facts["boundaryLoops"], facts["noBoundaryLoops"]) << '\n';
+    line("corners: faces");
+    const char* separator = "";
+    for (const auto& [corners, faces] : facts["faceSizes"].items()) {
+        text << separator << corners << ": " << faces;
+        separator = ", ";
+    }
+    text << '\n';
+    line("area") << facts["area"] << '\n';
+    line("volume") << or_why(facts["volume"], facts["noVolume"]) << '\n';
+    line("mean non-planarity") << facts["meanNonPlanarity"] << '\n';
+    line("mean squared edge") << facts["meanSquaredEdge"] << '\n';
+    for (const auto& issue : facts["issues"])
+        line("issue") << issue["message"].get<std::string>() << '\n';
+    return text.str();
+}
+
+ordered_json parameter_json(const Parameter& parameter) {
+    const bool choice = parameter.kind == Parameter::Kind::choice;
+    ordered_json json{{"id", parameter.id},
+                      {"label", parameter.label},
+                      {"kind", choice ? "choice" : "real"},
+                      {"min", parameter.min},
+                      {"max", parameter.max},
+                      {"sliderMax", parameter.slider_max},
+                      {"step", parameter.step},
+                      {"initial", parameter.initial},
+                      {"hint", parameter.hint}};
+    if (choice) json["choices"] = std::vector<std::string>(parameter.choices.begin(), parameter.choices.end());
+    return json;
+}
+
+ordered_json operator_json(const OperatorInfo& info) {
+    ordered_json parameters = ordered_json::array();
+    for (const Parameter& parameter : info.parameters)
+        parameters.push_back(parameter_json(parameter));
+    return {{"id", info.id},
+            {"label", info.label},
+            {"formula", info.formula_latex},
+            {"citation", info.citation},
+            {"summary", info.summary},
+            {"parameters", parameters},
+            {"claims",
+             {{"symmetric", claim_name(info.claims.symmetric)},
+              {"positiveSemidefinite", claim_name(info.claims.positive_semidefinite)},
+              {"constantsInKernel", claim_name(info.claims.constants_in_kernel)},
+              {"linearPrecision", claim_name(info.claims.linear_precision)},
+              {"positiveWeights", claim_name(info.claims.positive_weights)}}}};
+}
+
+void append_operator_text(std::ostream& text, const OperatorInfo& info) {
+    text << info.id << "  " << info.label << "\n  " << info.summary << "\n  " << info.formula_latex << "\n  " << info.citation << '\n';
+    for (const Parameter& parameter : info.parameters) {
+        text << "  --set " << parameter.id << '=';
+        if (parameter.kind == Parameter::Kind::choice) {
+            const char* separator = "";
+            for (const char* choice : parameter.choices) {
+                text << separator << choice;
+                separator = "|";
+            }
+            text << ", initially " << parameter.choices[static_cast<std::size_t>(parameter.initial)];
+        } else {
+            text << parameter.min << "..." << parameter.max << ", initially " << parameter.initial;
+        }
+        text << (*parameter.hint != '\0' ? "; " : "") << parameter.hint << '\n';
+    }
+    text << "  symmetric: " << claim_name(info.claims.symmetric)
+         << ", positive semidefinite: " << claim_name(info.claims.positive_semidefinite)
+         << ", constants in kernel: " << claim_name(info.claims.constants_in_kernel)
+         << ", linear precision: " << claim_name(info.claims.linear_precision)
+         << ", positive weights: " << claim_name(info.claims.positive_weights) << '\n';
+}
+
+}  // namespace
+
+Result<Outputs> info(const std::string& path, bool json) {
+    const auto session = open_session(path);
+    if (!session) return session.error();
+    const PolygonMesh& mesh = session->mesh();
+    const Topology& topology = session->topology();
+    const Session::Shape shape = session->shape(Session::Side::a);
+    const auto loops = boundary_loops(topology);
+    std::map<std::size_t, Index> sizes;
+    for (Index f = 0; f < mesh.face_count(); ++f)
+        ++sizes[mesh.face(f).size()];
+
+    ordered_json facts{{"vertices", mesh.vertex_count()},
+                       {"faces", mesh.face_count()},
+                       {"edges", topology.edges.size()},
+                       {"components", topology.component_count},
+                       {"boundaryVertices", topology.boundary_vertices.size()},
+                       {"boundaryLoops", nullptr}};
+    if (loops)
+        facts["boundaryLoops"] = loops->size();
+    else
+        facts["noBoundaryLoops"] = loops.error().message;
+    facts["faceSizes"] = ordered_json::object();
+    for (const auto& [corners, faces] : sizes)
+        facts["faceSizes"][std::to_string(corners)] = faces;
+    facts["area"] = shape.measures.area;
+    facts["volume"] = nullptr;
+    if (shape.volume)
+        facts["volume"] = *shape.volume;
+    else
+        facts["noVolume"] = shape.no_volume;
+    facts["meanNonPlanarity"] = shape.measures.mean_non_planarity;
+    facts["meanSquaredEdge"] = shape.measures.mean_squared_edge;
+    facts["issues"] = ordered_json::array();
+    for (const MeshIssue& issue : find_issues(topology))
+        facts["issues"].push_back({{"kind", issue_name(issue.kind)}, {"count", issue.count}, {"message", issue.message}});
+    return Outputs{{"-", json ? dump(facts) : info_text(facts)}};
+}
+
+Result<Outputs> operator_table(bool json) {
+    if (json) {
+        ordered_json table = ordered_json::array();
+        for (const OperatorInfo* entry : operators())
+            table.push_back(operator_json(*entry));
+        return Outputs{{"-", dump(table)}};
+    }
+    std::ostringstream text;
+    for (const OperatorInfo* entry : operators()) {
+        if (entry != operators().front()) text << '\n';
+        append_operator_text(text, *entry);
+    }
+    return Outputs{{"-", text.str()}};
+}
+
+}  // namespace polylap::tool
