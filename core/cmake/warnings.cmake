@@ -7,5 +7,7 @@ function(polylap_compile_options target)
     target_compile_options(${target} PRIVATE
         -ffp-contract=off  # The same numbers natively and in WebAssembly, which has no fused multiply-add.
         -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast
+        # GCC 12 misreads std::string's operator+ (its bug 105651).
+        $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>
     )
 endfunction()
