@@ -1,10 +1,10 @@
 import type { ErrorCode } from './generated.js';
 
-/** An error of the core (`code` from its list) or of the worker that hosts it (`worker-failed`). */
+/** An error of the core (`code` from its list), of the worker that hosts it (`worker-failed`), or a bug (`internal`). */
 export class PolylapError extends Error {
   override readonly name = 'PolylapError';
   constructor(
-    readonly code: ErrorCode | 'worker-failed',
+    readonly code: ErrorCode | 'worker-failed' | 'internal',
     message: string,
     /** Face, edge or vertex, counted from 0 (the message says which); -1: none. */
     readonly element = -1,

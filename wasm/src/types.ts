@@ -1,5 +1,55 @@
 /** What crosses between the page, the worker and the core. Vertices and faces count from 0. */
-import type { OperatorSpec } from './generated.js';
+import type { OperatorId, OperatorSpec } from './generated.js';
+
+/** Where a property holds: everywhere, on meshes of planar faces, on triangle meshes, or nowhere in general. */
+export type Claim = 'yes' | 'planar' | 'triangles' | 'no';
+
+interface ParameterBase {
+  readonly id: string;
+  /** What a control shows, e.g. λ. */
+  readonly label: string;
+  /** One short sentence, or empty. */
+  readonly hint: string;
+}
+
+export interface RealParameter extends ParameterBase {
+  readonly kind: 'real';
+  /** What is allowed. */
+  readonly min: number;
+  readonly max: number;
+  /** Where a slider ends; it starts at `min`. */
+  readonly sliderMax: number;
+  readonly step: number;
+  readonly initial: number;
+}
+
+export interface ChoiceParameter extends ParameterBase {
+  readonly kind: 'choice';
+  readonly choices: readonly string[];
+  readonly initial: string;
+}
+
+export type Parameter = RealParameter | ChoiceParameter;
+
+/** One line of the operator table. */
+export interface OperatorInfo {
+  readonly id: OperatorId;
+  readonly label: string;
+  readonly summary: string;
+  readonly formulaLatex: string;
+  /** A `<math>` element. */
+  readonly formulaMathml: string;
+  readonly citation: string;
+  readonly parameters: readonly Parameter[];
+  /** Wardetzky et al. 2007, "Discrete Laplace operators: no free lunch". */
+  readonly claims: {
+    readonly symmetric: Claim;
+    readonly positiveSemidefinite: Claim;
+    readonly constantsInKernel: Claim;
+    readonly linearPrecision: Claim;
+    readonly positiveWeights: Claim;
+  };
+}
 
 /** A mesh has two surfaces that smoothing moves apart; weights and harmonic functions look at one of them. */
 export type Side = 'a' | 'b';

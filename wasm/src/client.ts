@@ -1,0 +1,377 @@
+/**
+ * The asynchronous API: owns the worker, queues requests, and starts the worker again when it died or would not stop.
+ *
+ * The queue lives here and one request is under way at a time, so that a request which has not started can be dropped, and a new worker can go on
+ * where the old one ended: from the meshes' bytes and the surfaces that smoothing left.
+ */
+import { PolylapError } from './error.js';
+import type { CallName, FromWorker, Gives, Request, Saved, Source, Takes, ToWorker } from './protocol.js';
+import type {
+  Client,
+  Geometry,
+  Mesh,
+  MeshInfo,
+  RunOptions,
+  ShapeSpec,
+  Side,
+  Smoothed,
+  SmoothRunOptions,
+} from './types.js';
+
+/** What the client needs of a Worker. */
+export type WorkerLike = Pick<Worker, 'postMessage' | 'terminate' | 'onmessage' | 'onerror' | 'onmessageerror'>;
+
+export interface ClientOptions {
+  /** Makes the worker that runs worker.ts; called again after a restart. */
+  worker: () => WorkerLike;
+}
+
+/** How long a running request may take to stop before the worker is ended, in ms. */
+const cancelGrace = 300;
+/** A worker that fails so often in a row without having been asked for anything is given up. */
+const startAttempts = 3;
+
+/** @throws PolylapError `worker-failed` when the worker cannot be started */
+export async function startClient(options: ClientOptions): Promise<Client> {
+  const client = new WorkerClient(options);
+  await client.started;
+  return client;
+}
+
+/** What it takes to make a mesh again in another worker. */
+interface MeshState {
+  id: number;
+  source: Source;
+  sides: Map<Side, Saved>;
+  /** Why the mesh could not be taken over. */
+  lost?: PolylapError;
+}
+
+/** A request on its way through the queue. */
+interface Job {
+  id: number;
+  request: Request;
+  state: MeshState;
+  run: SmoothRunOptions;
+  /** A request of the client's own, to bring a worker into the state that the client remembers. */
+  internal: boolean;
+  cancelled: boolean;
+  /** Takes the value in, once and only if nobody has cancelled. */
+  resolve: (value: never) => void;
+  reject: (error: PolylapError) => void;
+  /** Makes the worker forget what a request did that was cancelled too late. */
+  undo?: () => void;
+}
+
+const cancelled = () => new PolylapError('cancelled', 'cancelled');
+const closed = () => new PolylapError('cancelled', 'the client has been closed');
+
+class WorkerClient implements Client {
+  onRestart?: (reason: string) => void;
+  readonly started: Promise<void>;
+
+  readonly #makeWorker: () => WorkerLike;
+  #worker: WorkerLike | undefined;
+  #ready = false;
+  #started: { resolve: () => void; reject: (error: PolylapError) => void } | undefined;
+  /** Set for good once the client is closed or given up. */
+  #ended: (() => PolylapError) | undefined;
+  #restartReason: string | undefined;
+  #failures = 0;
+  #queue: Job[] = [];
+  #current: Job | undefined;
+  #grace: ReturnType<typeof setTimeout> | undefined;
+  readonly #meshes = new Map<number, MeshState>();
+  #nextMesh = 0;
+  #nextId = 0;
+
+  constructor({ worker }: ClientOptions) {
+    this.#makeWorker = worker;
+    this.started = new Promise((resolve, reject) => {
+      this.#started = { resolve, reject };
+    });
+    this.#start();
+  }
+
+  async open(bytes: Uint8Array | ArrayBuffer | Blob | string, name: string, run: RunOptions = {}): Promise<Mesh> {
+    return this.#open({ bytes: await ownBytes(bytes), name }, name, run);
+  }
+
+  make(spec: ShapeSpec): Promise<Mesh> {
+    return this.#open({ spec: { ...spec } }, spec.shape, {});
+  }
+
+  close(): void {
+    if (!this.#ended) this.#end(closed);
+  }
+
+  async #open(source: Source, name: string, run: RunOptions): Promise<Mesh> {
+    const state: MeshState = { id: this.#nextMesh++, source, sides: new Map() };
+    const undo = () => this.#putFirst(state, { call: 'close', takes: { mesh: state.id } });
+    const { info, geometry } = await this.#call('open', { mesh: state.id, source }, state, {
+      run,
+      undo,
+      commit: () => this.#meshes.set(state.id, state),
+    });
+    return this.#mesh(state, name, info, geometry);
+  }
+
+  #mesh(state: MeshState, name: string, info: MeshInfo, geometry: Geometry): Mesh {
+    const on = ({ side = 'a' }: RunOptions = {}) => ({ mesh: state.id, side });
+    return {
+      ...info,
+      name,
+      geometry,
+      weights: (spec, run) => this.#call('weights', { ...on(run), spec }, state, { run }),
+      shape: (run) => this.#call('shape', on(run), state, { run }),
+      smooth: (spec, options, run) => {
+        const { mesh, side } = on(run);
+        const commit = ({ coordinates, step }: Smoothed) =>
+          state.sides.set(side, { coordinates: coordinates.slice(), step });
+        const undo = () => this.#putFirst(state, backTo(state, side));
+        const showSteps = run?.onStep !== undefined;
+        const smoothed = this.#call('smooth', { mesh, side, spec, options, showSteps }, state, { run, commit, undo });
+        // The worker tells of all steps but the last, which is the value.
+        return smoothed.then((value) => {
+          run?.onStep?.(value);
+          return value;
+        });
+      },
+      harmonic: (spec, fixed, run) => this.#call('harmonic', { ...on(run), spec, fixed }, state, { run }),
+      matrices: (spec, run) => this.#call('matrices', { ...on(run), spec }, state, { run }),
+      obj: (run) => this.#call('obj', on(run), state, { run }),
+      reset: (side) => {
+        const commit = () => (side === undefined ? state.sides.clear() : state.sides.delete(side));
+        return this.#call('reset', { mesh: state.id, side }, state, { commit });
+      },
+      close: () => this.#call('close', { mesh: state.id }, state, { commit: () => this.#meshes.delete(state.id) }),
+    };
+  }
+
+  // ---- The queue ----
+
+  /** @param hooks commit: takes the value into the client's memory before the caller sees it */
+  #call<K extends CallName>(
+    call: K,
+    takes: Takes<K>,
+    state: MeshState,
+    hooks: { run?: SmoothRunOptions | undefined; commit?: (value: Gives<K>) => unknown; undo?: () => void } = {},
+  ): Promise<Gives<K>> {
+    const { run = {}, commit, undo } = hooks;
+    return new Promise((resolve, reject) => {
+      if (this.#ended) return reject(this.#ended());
+      if (run.signal?.aborted) return reject(cancelled());
+      const onAbort = () => this.#cancel(job);
+      run.signal?.addEventListener('abort', onAbort, { once: true });
+      const forget = () => run.signal?.removeEventListener('abort', onAbort);
+      const job: Job = {
+        id: this.#nextId++,
+        request: { call, takes } as Request,
+        state,
+        run,
+        internal: false,
+        cancelled: false,
+        resolve: (value: Gives<K>) => {
+          forget();
+          commit?.(value);
+          resolve(value);
+        },
+        reject: (error) => {
+          forget();
+          reject(error);
+        },
+        ...(undo && { undo }),
+      };
+      this.#queue.push(job);
+      this.#sendNext();
+    });
+  }
+
+  /** Puts a request of the client's own at the head of the queue. A mesh that it fails on is lost. */
+  #putFirst(state: MeshState, ...requests: Request[]): void {
+    const jobs = requests.map((request): Job => {
+      const reject = (error: PolylapError) => {
+        state.lost ??= error;
+      };
+      return {
+        id: this.#nextId++,
+        request,
+        state,
+        run: {},
+        internal: true,
+        cancelled: false,
+        resolve: () => {},
+        reject,
+      };
+    });
+    this.#queue.unshift(...jobs);
+  }
+
+  #sendNext(): void {
+    while (this.#ready && !this.#current) {
+      const job = this.#queue.shift();
+      if (!job?.internal) this.#tellRestart();
+      if (!job) return;
+      if (job.state.lost && job.request.call !== 'close') {
+        job.reject(job.state.lost);
+        continue;
+      }
+      this.#current = job;
+      try {
+        this.#send({ kind: 'request', id: job.id, request: job.request });
+      } catch (error) {
+        this.#current = undefined;
+        job.reject(new PolylapError('bad-argument', `the arguments cannot be sent to the worker: ${messageOf(error)}`));
+      }
+    }
+  }
+
+  #send(message: ToWorker): void {
+    this.#worker?.postMessage(message);
+  }
+
+  #cancel(job: Job): void {
+    if (job !== this.#current) {
+      this.#queue = this.#queue.filter((other) => other !== job);
+      job.reject(cancelled());
+      return;
+    }
+    job.cancelled = true;
+    this.#send({ kind: 'cancel', id: job.id });
+    this.#grace = setTimeout(() => this.#restart('cancelled', cancelled()), cancelGrace);
+  }
+
+  #receive(message: FromWorker): void {
+    switch (message.kind) {
+      case 'ready':
+        this.#onReady();
+        break;
+      case 'failed':
+        this.#onDeath(message.message);
+        break;
+      case 'progress':
+        this.#running(message.id)?.onProgress?.(message.fraction);
+        break;
+      case 'step':
+        this.#running(message.id)?.onStep?.(message.smoothed);
+        break;
+      default:
+        this.#settle(message);
+        this.#sendNext();
+    }
+  }
+
+  /** Whom to tell how a request gets on. */
+  #running(id: number): SmoothRunOptions | undefined {
+    return this.#current?.id === id && !this.#current.cancelled ? this.#current.run : undefined;
+  }
+
+  #settle(reply: Extract<FromWorker, { kind: 'done' | 'error' }>): void {
+    const job = this.#current;
+    if (job?.id !== reply.id) return;
+    this.#current = undefined;
+    clearTimeout(this.#grace);
+    if (!job.internal) this.#failures = 0;
+    if (job.cancelled) {
+      if (reply.kind === 'done') job.undo?.();
+      job.reject(cancelled());
+    } else if (reply.kind === 'done') {
+      job.resolve(reply.value as never);
+    } else {
+      const { code, message, element, line } = reply.error;
+      job.reject(new PolylapError(code as PolylapError['code'], message, element, line));
+    }
+  }
+
+  // ---- The worker's life ----
+
+  #start(): void {
+    this.#ready = false;
+    try {
+      const worker = this.#makeWorker();
+      const ifCurrent = (work: () => void) => worker === this.#worker && work();
+      this.#worker = worker;
+      worker.onmessage = ({ data }) => ifCurrent(() => this.#receive(data));
+      worker.onerror = (event) => ifCurrent(() => this.#onDeath(event.message || 'it could not be loaded or ended'));
+      worker.onmessageerror = () => ifCurrent(() => this.#onDeath('a message could not be read'));
+    } catch (error) {
+      queueMicrotask(() => this.#onDeath(messageOf(error)));
+    }
+  }
+
+  /** A fresh worker: bring it to where the last one was, then go on with the queue. */
+  #onReady(): void {
+    this.#ready = true;
+    this.#started?.resolve();
+    this.#started = undefined;
+    for (const state of this.#meshes.values()) {
+      if (state.lost) continue;
+      const sides = [...state.sides.keys()];
+      const open: Request = { call: 'open', takes: { mesh: state.id, source: state.source } };
+      this.#putFirst(state, open, ...sides.map((side) => backTo(state, side)));
+    }
+    this.#sendNext();
+  }
+
+  /** Called when a worker has nothing left of the client's own to do: it is up again. */
+  #tellRestart(): void {
+    const reason = this.#restartReason;
+    this.#restartReason = undefined;
+    if (reason !== undefined) queueMicrotask(() => this.onRestart?.(reason));
+  }
+
+  #onDeath(why: string): void {
+    if (this.#ended) return;
+    const failure = () => new PolylapError('worker-failed', `the worker failed: ${why}`);
+    // Whose fault is it? A user's request is not tried again; without one, the worker itself does not work.
+    if (!this.#current || this.#current.internal) this.#failures += 1;
+    if (this.#failures >= startAttempts) this.#end(failure);
+    else this.#restart(failure().message, failure());
+  }
+
+  /** Ends the worker and starts another. @param error for the request under way; the others stay in the queue */
+  #restart(reason: string, error: PolylapError): void {
+    clearTimeout(this.#grace);
+    this.#dropWorker();
+    this.#restartReason ??= reason;
+    const job = this.#current;
+    this.#current = undefined;
+    this.#queue = this.#queue.filter(({ internal }) => !internal);
+    this.#start();
+    if (job && !job.internal) job.reject(job.cancelled ? cancelled() : error);
+  }
+
+  #end(error: () => PolylapError): void {
+    this.#ended = error;
+    clearTimeout(this.#grace);
+    this.#dropWorker();
+    this.#started?.reject(error());
+    this.#started = undefined;
+    const jobs = this.#current ? [this.#current, ...this.#queue] : this.#queue;
+    this.#current = undefined;
+    this.#queue = [];
+    this.#meshes.clear();
+    for (const job of jobs) if (!job.internal) job.reject(error());
+  }
+
+  #dropWorker(): void {
+    this.#ready = false;
+    this.#worker?.terminate();
+    this.#worker = undefined;
+  }
+}
+
+/** The request that puts a side where the client remembers it. */
+function backTo({ id, sides }: MeshState, side: Side): Request {
+  const saved = sides.get(side);
+  return saved ? { call: 'restore', takes: { mesh: id, side, saved } } : { call: 'reset', takes: { mesh: id, side } };
+}
+
+/** Bytes that the caller can no longer change: what a restarted worker reads must be what was opened. */
+async function ownBytes(bytes: Uint8Array | ArrayBuffer | Blob | string): Promise<Uint8Array> {
+  if (typeof bytes === 'string') return new TextEncoder().encode(bytes);
+  if (bytes instanceof Uint8Array) return bytes.slice();
+  return new Uint8Array(bytes instanceof ArrayBuffer ? bytes.slice(0) : await bytes.arrayBuffer());
+}
+
+const messageOf = (error: unknown) => (error instanceof Error ? error.message : String(error));

@@ -1,0 +1,16 @@
+/** polylap for browsers: the core runs in a worker, calls return promises. For Node, and for workers of one's own, see node.ts and load.ts. */
+import { type ClientOptions, startClient } from './client.js';
+import type { Client } from './types.js';
+
+export type { ClientOptions, WorkerLike } from './client.js';
+export { PolylapError } from './error.js';
+export * from './generated.js';
+export * from './types.js';
+
+/** @throws PolylapError `worker-failed` when the worker cannot be started */
+export function createClient(options: Partial<ClientOptions> = {}): Promise<Client> {
+  return startClient({
+    worker: () => new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' }),
+    ...options,
+  });
+}

@@ -1,0 +1,59 @@
+/** What the client and its worker say to each other. The client has one request under way at a time and keeps the queue. */
+import type { OperatorSpec } from './generated.js';
+import type { RawError } from './raw.js';
+import type {
+  FixedValues,
+  Geometry,
+  Harmonic,
+  Matrices,
+  MeshInfo,
+  Shape,
+  ShapeSpec,
+  Side,
+  Smoothed,
+  SmoothOptions,
+  Weights,
+} from './types.js';
+
+/** From what a mesh can be made again. */
+export type Source = { bytes: Uint8Array; name: string } | { spec: ShapeSpec };
+
+/** The part of a surface that smoothing changes. */
+export type Saved = Pick<Smoothed, 'coordinates' | 'step'>;
+
+/** Each call with its arguments and its value. Meshes are numbered by the client. */
+export interface Calls {
+  open: { takes: { mesh: number; source: Source }; gives: { info: MeshInfo; geometry: Geometry } };
+  close: { takes: { mesh: number }; gives: undefined };
+  weights: { takes: OnSide & { spec: OperatorSpec }; gives: Weights };
+  shape: { takes: OnSide; gives: Shape };
+  smooth: { takes: OnSide & { spec: OperatorSpec; options: SmoothOptions; showSteps: boolean }; gives: Smoothed };
+  harmonic: { takes: OnSide & { spec: OperatorSpec; fixed: FixedValues }; gives: Harmonic };
+  matrices: { takes: OnSide & { spec: OperatorSpec }; gives: Matrices };
+  obj: { takes: OnSide; gives: string };
+  reset: { takes: { mesh: number; side: Side | undefined }; gives: undefined };
+  restore: { takes: OnSide & { saved: Saved }; gives: undefined };
+}
+
+interface OnSide {
+  mesh: number;
+  side: Side;
+}
+
+export type CallName = keyof Calls;
+export type Takes<K extends CallName> = Calls[K]['takes'];
+export type Gives<K extends CallName> = Calls[K]['gives'];
+
+/** Call and arguments, as one of the pairs that belong together. */
+export type Request = { [K in CallName]: { call: K; takes: Takes<K> } }[CallName];
+
+export type ToWorker = { kind: 'request'; id: number; request: Request } | { kind: 'cancel'; id: number };
+
+export type FromWorker =
+  | { kind: 'ready' }
+  /** The worker cannot go on: end it. */
+  | { kind: 'failed'; message: string }
+  | { kind: 'progress'; id: number; fraction: number }
+  | { kind: 'step'; id: number; smoothed: Smoothed }
+  | { kind: 'done'; id: number; value: Gives<CallName> }
+  | { kind: 'error'; id: number; error: RawError };

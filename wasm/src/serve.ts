@@ -1,0 +1,192 @@
+/** The worker's side of protocol.ts, on any port. */
+import { PolylapError } from './error.js';
+import type { OperatorSpec } from './generated.js';
+import type { CallName, FromWorker, Gives, Request, Takes, ToWorker } from './protocol.js';
+import { type Polylap, type Session, wholeNumber } from './session.js';
+import type { Smoothed } from './types.js';
+
+export interface Port {
+  postMessage(message: FromWorker, transfer: Transferable[]): void;
+  onmessage: ((event: MessageEvent<ToWorker>) => void) | null;
+}
+
+/** Progress is for people: no more often than this, in ms. */
+const progressInterval = 30;
+/** How long nothing must have been asked before the solver is warmed up, in ms. */
+const idleBeforeWarmUp = 50;
+
+/** Loads the core, says so, and answers from then on. */
+export function serve(port: Port, load: () => Promise<Polylap>): void {
+  load().then(
+    (polylap) => new Server(port, polylap).start(),
+    (error) => fail(port, error),
+  );
+}
+
+function fail(port: Port, error: unknown): void {
+  port.postMessage({ kind: 'failed', message: error instanceof Error ? error.message : String(error) }, []);
+}
+
+class Server {
+  readonly #port: Port;
+  readonly #polylap: Polylap;
+  readonly #sessions = new Map<number, Session>();
+  readonly #cold: OperatorSpec[];
+  #idle: ReturnType<typeof setTimeout> | undefined;
+  #asked = 0;
+  #cancelled = -1;
+  #lastProgress = 0;
+
+  constructor(port: Port, polylap: Polylap) {
+    this.#port = port;
+    this.#polylap = polylap;
+    this.#cold = polylap.operators().map(({ id }) => ({ id }) as OperatorSpec);
+  }
+
+  start(): void {
+    this.#port.onmessage = ({ data }) => {
+      if (data.kind === 'cancel') this.#cancelled = data.id;
+      else void this.#handle(data.id, data.request);
+    };
+    this.#port.postMessage({ kind: 'ready' }, []);
+    this.#warmUpWhenIdle();
+  }
+
+  async #handle(id: number, request: Request): Promise<void> {
+    clearTimeout(this.#idle);
+    this.#asked += 1;
+    this.#lastProgress = 0;
+    try {
+      const value = await this.#perform(id, request);
+      this.#port.postMessage({ kind: 'done', id, value }, buffersOf(value));
+      this.#warmUpWhenIdle();
+    } catch (error) {
+      // After a trap the module's memory is in no known state, so only a new worker will do.
+      if (!(error instanceof PolylapError) || error.code === 'internal') {
+        fail(this.#port, error);
+        return;
+      }
+      const { code, message, element, line } = error;
+      this.#port.postMessage({ kind: 'error', id, error: { code, message, element, line } }, []);
+      this.#warmUpWhenIdle();
+    }
+  }
+
+  #perform(id: number, request: Request): Gives<CallName> | Promise<Smoothed> {
+    const onProgress = (fraction: number) => this.#progress(id, fraction);
+    switch (request.call) {
+      case 'open':
+        return this.#open(request.takes, onProgress);
+      case 'close':
+        this.#sessions.get(request.takes.mesh)?.close();
+        this.#sessions.delete(request.takes.mesh);
+        return undefined;
+      case 'weights':
+        return this.#session(request).weights(request.takes.spec, { side: request.takes.side, onProgress });
+      case 'shape':
+        return this.#session(request).shape(request.takes);
+      case 'smooth':
+        return this.#smooth(id, this.#session(request), request.takes);
+      case 'harmonic':
+        return this.#session(request).harmonic(request.takes.spec, request.takes.fixed, {
+          side: request.takes.side,
+          onProgress,
+        });
+      case 'matrices':
+        return this.#session(request).matrices(request.takes.spec, { side: request.takes.side, onProgress });
+      case 'obj':
+        return this.#session(request).obj(request.takes);
+      case 'reset':
+        this.#session(request).reset(request.takes.side);
+        return undefined;
+      case 'restore':
+        this.#session(request).restore(request.takes.saved, request.takes);
+        return undefined;
+    }
+  }
+
+  #session({ takes }: Request): Session {
+    const session = this.#sessions.get(takes.mesh);
+    if (!session) throw new PolylapError('bad-argument', 'this mesh has been closed');
+    return session;
+  }
+
+  #open({ mesh, source }: Takes<'open'>, onProgress: (fraction: number) => undefined): Gives<'open'> {
+    const session =
+      'bytes' in source
+        ? this.#polylap.open(source.bytes, source.name, { onProgress })
+        : this.#polylap.make(source.spec);
+    try {
+      const opened = { info: session.info(), geometry: session.geometry() };
+      this.#sessions.set(mesh, session);
+      return opened;
+    } catch (error) {
+      session.close();
+      throw error;
+    }
+  }
+
+  /** One step a call, so that a cancellation gets in between; all steps or none. */
+  async #smooth(id: number, session: Session, { side, spec, options, showSteps }: Takes<'smooth'>): Promise<Smoothed> {
+    const steps = wholeNumber(options.steps ?? 1, 'steps', 1);
+    const before = session.surface({ side });
+    try {
+      for (let k = 0; ; ++k) {
+        const onProgress = (fraction: number) => this.#progress(id, (k + fraction) / steps);
+        const smoothed = session.smooth(spec, { ...options, steps: 1 }, { side, onProgress });
+        this.#progress(id, (k + 1) / steps);
+        if (k + 1 === steps) return smoothed;
+        if (showSteps) this.#port.postMessage({ kind: 'step', id, smoothed }, buffersOf(smoothed));
+        await turn();
+        if (this.#cancelled === id) throw new PolylapError('cancelled', 'smoothing was cancelled');
+      }
+    } catch (error) {
+      if (error instanceof PolylapError && error.code !== 'internal') session.restore(before, { side });
+      throw error;
+    }
+  }
+
+  #progress(id: number, fraction: number): undefined {
+    const now = performance.now();
+    if (now - this.#lastProgress < progressInterval) return;
+    this.#lastProgress = now;
+    this.#port.postMessage({ kind: 'progress', id, fraction }, []);
+  }
+
+  #warmUpWhenIdle(): void {
+    if (this.#cold.length > 0)
+      this.#idle = setTimeout(() => this.#warmUp().catch((error) => fail(this.#port, error)), idleBeforeWarmUp);
+  }
+
+  /** The first long call of a function runs unoptimised, several times slower; better now than under someone's cursor. */
+  async #warmUp(): Promise<void> {
+    const asked = this.#asked;
+    for (let spec = this.#cold.shift(); spec; spec = this.#cold.shift()) {
+      const session = this.#polylap.make({ shape: 'grid', nx: 30, ny: 30 });
+      session.smooth(spec, { time: session.info().meanSquaredEdge });
+      session.harmonic(spec, { vertices: [0, 30], values: [0, 1] });
+      session.close();
+      await turn();
+      if (this.#asked !== asked) return;
+    }
+  }
+}
+
+/** Lets waiting messages in. A timer would cost 4 ms each time. */
+function turn(): Promise<void> {
+  return new Promise((resolve) => {
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = () => {
+      port1.close();
+      resolve();
+    };
+    port2.postMessage(null);
+  });
+}
+
+/** The memory of all arrays in a value, to hand over instead of copying. */
+function buffersOf(value: unknown): ArrayBuffer[] {
+  if (ArrayBuffer.isView(value)) return [value.buffer as ArrayBuffer];
+  if (typeof value !== 'object' || value === null) return [];
+  return Object.values(value).flatMap(buffersOf);
+}
