@@ -1,0 +1,93 @@
+import type { App } from '../app.js';
+import { h, put } from '../dom.js';
+import { count, exact, plural, real } from '../format.js';
+import { type Mesh, operators, type Side } from '../polylap.js';
+import { initialChoice, operatorOf } from '../state.js';
+import { button, menu } from './controls.js';
+import { parameterControls } from './parameters.js';
+
+/** One side: operator, formula, the number of negative weights, the view of its surface, parameters, figures. */
+export function card(app: App, side: Side): { element: HTMLElement; view: HTMLElement } {
+  const letter = side.toUpperCase();
+  const choose = menu(
+    `Operator of ${letter}`,
+    operators.map(({ id, label }) => [id, label] as const),
+    (id) => app.setChoice(side, initialChoice(id)),
+    { class: 'operator' },
+  );
+  const formula = h('div', { class: 'formula' });
+  const loud = h('output', { class: 'loud', 'aria-label': `Negative weights of ${letter}`, 'data-readout': 'negative' }, '–');
+  const caption = h('span', { class: 'count-name' });
+  const share = h('span', { class: 'count-share' });
+  const again = button('Compute', () => app.update(side), { class: 'quiet' });
+  const view = h('div', { class: 'view', tabindex: 0, role: 'application', 'aria-roledescription': '3D view', 'data-view': side });
+  const at = h('p', { class: 'view-caption', 'data-readout': 'vertex' });
+  view.append(at);
+  const figures = h('p', { class: 'figures' });
+  const element = h(
+    'section',
+    { class: 'card', 'data-side': side, 'aria-label': `Side ${letter}` },
+    h('header', { class: 'card-head' }, h('span', { class: 'badge', 'aria-hidden': 'true' }, letter), choose, formula),
+    h('div', { class: 'count' }, loud, h('p', { class: 'count-text' }, caption, share), again),
+    view,
+    h('footer', { class: 'card-foot' }, parameterControls(app, side), figures),
+  );
+
+  app.state.watch(
+    (state) => [state.sides[side].operator],
+    () => {
+      const operator = operatorOf(app.state.get().sides[side]);
+      choose.value = operator.id;
+      choose.title = `${operator.summary}\n${operator.citation}`;
+      // From the operator table, made when the page was built.
+      formula.innerHTML = operator.formulaMathml;
+      view.setAttribute('aria-label', `Mesh ${letter}, ${operator.label}. Arrow keys turn it, plus and minus zoom, 0 shows all of it.`);
+    },
+  );
+  app.results.watch(
+    (results) => [results[side].weights],
+    (weights) => {
+      const failed = typeof weights === 'string';
+      const known = weights !== null && !failed;
+      put(loud, known ? count(weights.negativeOrdered) : '–', known ? weights.negativeOrdered : null);
+      loud.classList.toggle('negative', known && weights.negativeOrdered > 0);
+      caption.textContent = known && weights.negativeOrdered === 1 ? 'negative weight' : failed ? 'no weights' : 'negative weights';
+      share.textContent = known ? `of ${count(weights.nonzeroOrdered)} off-diagonal pairs` : failed ? weights : ' ';
+      share.title = share.textContent;
+      again.hidden = !failed;
+    },
+  );
+  app.results.watch(
+    (results) => [results.mesh, results[side].shape],
+    (mesh, shape) => {
+      figures.replaceChildren();
+      if (!mesh) return;
+      const planarity = h('span', { 'data-readout': 'non-planarity' });
+      if (shape) put(planarity, real(shape.meanNonPlanarity, 3), shape.meanNonPlanarity);
+      figures.append(
+        h('span', { 'data-readout': 'vertices', 'data-value': mesh.vertices }, plural(mesh.vertices, 'vertex', 'vertices')),
+        ' · ',
+        h('span', { 'data-readout': 'faces', 'data-value': mesh.faces }, plural(mesh.faces, ...faceNames(mesh))),
+        ' · mean non-planarity ',
+        planarity,
+      );
+    },
+  );
+  const showVertex = () => {
+    const results = app.results.get();
+    const { selected, task } = app.state.get();
+    const vertex = results.hovered ?? selected;
+    const { harmonic } = results[side];
+    const value = vertex !== null && task === 'harmonic' && harmonic && typeof harmonic !== 'string' ? harmonic.values[vertex] : undefined;
+    put(at, vertex === null ? '' : `vertex ${vertex}${value === undefined ? '' : `: ${exact(value)}`}`, value);
+  };
+  app.results.watch((results) => [results.hovered, results[side].harmonic], showVertex);
+  app.state.watch((state) => [state.selected, state.task], showVertex);
+  return { element, view };
+}
+
+function faceNames({ minCorners, maxCorners }: Mesh): [string, string] {
+  if (minCorners === maxCorners && minCorners === 3) return ['triangle', 'triangles'];
+  if (minCorners === maxCorners && minCorners === 4) return ['quad', 'quads'];
+  return ['face', 'faces'];
+}

@@ -1,0 +1,104 @@
+import type { App } from '../app.js';
+import { h, put } from '../dom.js';
+import { count } from '../format.js';
+import type { Side } from '../polylap.js';
+import { sides, type Task } from '../state.js';
+import { card } from './card.js';
+import { button } from './controls.js';
+import { helpDialog, pasteDialog } from './dialogs.js';
+import { harmonicPanel } from './harmonic-panel.js';
+import { header } from './header.js';
+import { intake } from './intake.js';
+import { smoothPanel } from './smooth-panel.js';
+import { statusLine } from './status.js';
+import { tabs } from './tabs.js';
+import { weightsPanel } from './weights-panel.js';
+
+export interface Page {
+  canvas: HTMLCanvasElement;
+  views: Record<Side, HTMLElement>;
+  help: () => void;
+}
+
+/** The whole document, in reading order. */
+export function page(app: App, root: HTMLElement): Page {
+  const help = helpDialog();
+  const paste = pasteDialog(app);
+  const files = intake(app, root);
+  const cards = { a: card(app, 'a'), b: card(app, 'b') };
+  const canvas = h('canvas', { class: 'scene', 'aria-hidden': 'true' });
+  const panels: Record<Task, HTMLElement> = { weights: weightsPanel(app), smooth: smoothPanel(app), harmonic: harmonicPanel(app) };
+  const tasks = tabs<Task>(
+    'Task',
+    [
+      { id: 'weights', label: 'Weights', panel: panels.weights },
+      { id: 'smooth', label: 'Smooth', panel: panels.smooth },
+      { id: 'harmonic', label: 'Harmonic', panel: panels.harmonic },
+    ],
+    (task) => app.setTask(task),
+  );
+  const stage = h('div', { class: 'stage' }, cards.a.element, cards.b.element, canvas);
+  root.append(
+    header(app, { open: files.pick, paste: () => paste.showModal(), help: () => help.showModal() }),
+    files.element,
+    h('div', { class: 'task-line' }, tasks.element, errorLine(app)),
+    h('main', {}, sideSwitch(app), stage, h('aside', { class: 'panel', 'aria-label': 'Controls and readouts' }, ...Object.values(panels))),
+    statusLine(app),
+    help,
+    paste,
+  );
+  app.state.watch(
+    (state) => [state.task],
+    (task) => tasks.show(task),
+  );
+  app.state.watch(
+    (state) => [state.shown],
+    (shown) => {
+      stage.dataset.shown = shown;
+    },
+  );
+  return { canvas, views: { a: cards.a.view, b: cards.b.view }, help: () => help.showModal() };
+}
+
+/** Where there is room for one side only: which one, with the numbers of both. */
+function sideSwitch(app: App): HTMLElement {
+  const buttons = sides.map((side) => {
+    const number = h('span', { 'data-readout': 'negative-short' });
+    const element = h('button', { type: 'button', onclick: () => app.state.set({ shown: side }) }, h('b', {}, side.toUpperCase()), ' ', number);
+    app.results.watch(
+      (results) => [results[side].weights],
+      (weights) => {
+        const known = weights !== null && typeof weights !== 'string';
+        put(number, known ? count(weights.negativeOrdered) : '–', known ? weights.negativeOrdered : null);
+        element.setAttribute('aria-label', `Side ${side.toUpperCase()}, ${known ? weights.negativeOrdered : 'unknown number of'} negative weights`);
+      },
+    );
+    app.state.watch(
+      (state) => [state.shown],
+      (shown) => element.setAttribute('aria-pressed', String(shown === side)),
+    );
+    return element;
+  });
+  return h('div', { class: 'side-switch', role: 'group', 'aria-label': 'Side shown' }, ...buttons);
+}
+
+/** What went wrong; stays until it is dismissed or something succeeds. */
+function errorLine(app: App): HTMLElement {
+  const title = h('strong', {});
+  const text = h('span', {});
+  const element = h(
+    'div',
+    { class: 'error', role: 'alert' },
+    h('p', {}, title, ' ', text),
+    button('Dismiss', () => app.results.set({ error: null }), { 'data-action': 'dismiss' }),
+  );
+  app.results.watch(
+    (results) => [results.error],
+    (error) => {
+      element.hidden = error === null;
+      title.textContent = error ? `${error.title}.` : '';
+      text.textContent = error?.text ?? '';
+    },
+  );
+  return element;
+}

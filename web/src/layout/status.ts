@@ -1,0 +1,52 @@
+import type { App } from '../app.js';
+import { viridis } from '../colour-maps.js';
+import { h, put } from '../dom.js';
+import { exact } from '../format.js';
+import { sharedRange } from '../results.js';
+import { button } from './controls.js';
+
+/** The line at the bottom: what happened, what is under way, and the legend that both sides share. */
+export function statusLine(app: App): HTMLElement {
+  const notice = h('p', { class: 'notice', role: 'status', 'aria-live': 'polite' });
+  const bar = h('progress', { max: 1, 'aria-label': 'Progress' });
+  const label = h('span', { class: 'job' });
+  const cancel = button('Cancel', () => app.cancel(), { 'data-action': 'cancel' });
+  const busy = h('div', { class: 'busy', hidden: true }, label, bar, cancel);
+  app.results.watch(
+    (results) => [results.notice],
+    (text) => put(notice, text),
+  );
+  app.results.watch(
+    (results) => [results.busy, results.playing],
+    (job, playing) => {
+      // While playing, steps that take a little longer are no news.
+      busy.hidden = job === null || (playing && job.fraction === null);
+      if (!job) return;
+      put(label, job.label);
+      if (job.fraction === null) bar.removeAttribute('value');
+      else bar.value = job.fraction;
+    },
+  );
+  return h('footer', { class: 'status' }, notice, busy, legend(app));
+}
+
+function legend(app: App): HTMLElement {
+  const dashes = h('span', { class: 'legend-dashes', 'aria-hidden': 'true' });
+  const low = h('output', { 'data-readout': 'range-min' });
+  const high = h('output', { 'data-readout': 'range-max' });
+  const ramp = h('canvas', { width: 256, height: 1, class: 'ramp', 'aria-hidden': 'true' });
+  ramp.getContext('2d')?.putImageData(new ImageData(new Uint8ClampedArray(viridis()), 256, 1), 0, 0);
+  const values = h('span', { class: 'legend-values', role: 'group', 'aria-label': 'Colours of A and B' }, low, ramp, high, h('span', { class: 'legend-outside' }, '× outside'));
+  const element = h('div', { class: 'legend', 'aria-label': 'Legend', role: 'group' }, values, h('span', { class: 'legend-negative' }, dashes, 'negative weight'));
+  const show = () => {
+    const range = sharedRange(app.results.get());
+    const coloured = app.state.get().task === 'harmonic' && range !== null;
+    values.hidden = !coloured;
+    if (!range) return;
+    put(low, exact(range.min), range.min);
+    put(high, exact(range.max), range.max);
+  };
+  app.results.watch((results) => [results.a.harmonic, results.b.harmonic], show);
+  app.state.watch((state) => [state.task], show);
+  return element;
+}

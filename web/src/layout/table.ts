@@ -1,0 +1,37 @@
+import { h, put } from '../dom.js';
+
+export interface Cell {
+  text: string;
+  value?: number | null;
+  class?: string;
+}
+
+/** A table A | B whose rows stay where they are while their numbers change. */
+export function sideTable(caption: string, rows: readonly { id: string; name: string }[]) {
+  const cells = new Map<string, [HTMLElement, HTMLElement]>();
+  const body = h(
+    'tbody',
+    {},
+    ...rows.map(({ id, name }) => {
+      const a = h('td', { 'data-readout': id, 'data-of': 'a' });
+      const b = h('td', { 'data-readout': id, 'data-of': 'b' });
+      cells.set(id, [a, b]);
+      return h('tr', {}, h('th', { scope: 'row' }, name), a, b);
+    }),
+  );
+  const element = h(
+    'table',
+    { class: 'readouts' },
+    h('caption', { class: 'unseen' }, caption),
+    h('thead', {}, h('tr', {}, h('td', {}), h('th', { scope: 'col' }, 'A'), h('th', { scope: 'col' }, 'B'))),
+    body,
+  );
+  const set = (id: string, side: 'a' | 'b', cell: Cell) => {
+    const target = cells.get(id)?.[side === 'a' ? 0 : 1];
+    if (!target) return;
+    put(target, cell.text, cell.value);
+    target.className = cell.class ?? '';
+    target.title = cell.text.length > 14 ? cell.text : '';
+  };
+  return { element, set };
+}

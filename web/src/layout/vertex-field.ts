@@ -1,0 +1,37 @@
+import type { App } from '../app.js';
+import { h } from '../dom.js';
+import { button, numberField } from './controls.js';
+
+/** The selected vertex: by number, or to the neighbours in number. */
+export function vertexField(app: App): HTMLElement {
+  const field = numberField({
+    label: 'Vertex',
+    min: 0,
+    step: 1,
+    onChange: (vertex) => {
+      const last = (app.results.get().mesh?.vertices ?? 1) - 1;
+      if (Number.isInteger(vertex) && vertex <= last) app.select(vertex);
+    },
+    onEmpty: () => app.select(null),
+  });
+  app.state.watch(
+    (state) => [state.selected],
+    (selected) => field.set(selected),
+  );
+  app.results.watch(
+    (results) => [results.mesh],
+    (mesh) => {
+      if (mesh) field.element.max = String(mesh.vertices - 1);
+    },
+  );
+  field.element.placeholder = 'none';
+  field.element.dataset.field = 'vertex';
+  return h(
+    'div',
+    { class: 'vertex-field' },
+    h('h2', {}, 'Vertex'),
+    field.element,
+    button('[', () => app.walk(-1), { 'aria-label': 'Vertex before', title: 'Vertex before ([)', class: 'key' }),
+    button(']', () => app.walk(1), { 'aria-label': 'Next vertex', title: 'Next vertex (])', class: 'key' }),
+  );
+}

@@ -1,0 +1,56 @@
+import { App } from './app.js';
+import { bindInput, bindKeys, bindViewer } from './bind-viewer.js';
+import { h } from './dom.js';
+import { page } from './layout/page.js';
+import { createClient, type Side } from './polylap.js';
+import { Viewer } from './scene/viewer.js';
+import { presets, sides } from './state.js';
+
+const app = new App(createClient());
+const ready = app.makePreset(presets[0]?.id ?? '');
+const { canvas, views, help } = page(app, document.getElementById('app') as HTMLElement);
+bindKeys(app, help);
+
+const overlays = sides.map((side) => {
+  const message = h('p', { class: 'view-message', hidden: true });
+  views[side].append(message);
+  return message;
+});
+const tell = (text: string | null) => {
+  for (const overlay of overlays) {
+    overlay.hidden = text === null;
+    overlay.textContent = text ?? '';
+  }
+  if (text) app.say(text);
+};
+
+let viewer: Viewer | null = null;
+try {
+  viewer = new Viewer(canvas, views, () => {
+    if (performance.getEntriesByName('polylap:first-frame').length === 0) performance.mark('polylap:first-frame');
+  });
+  bindViewer(app, viewer);
+  bindInput(app, viewer, views);
+} catch {
+  void ready.then(() => tell('This browser shows no WebGL, so the meshes cannot be drawn. All numbers are right without it.'));
+}
+canvas.addEventListener('webglcontextlost', (event) => {
+  event.preventDefault();
+  tell('The graphics card took the picture away. It comes back by itself as soon as it can.');
+});
+canvas.addEventListener('webglcontextrestored', () => {
+  tell(null);
+  app.say('The picture is back.');
+});
+
+/** For the console and for tests: what is on screen, as data. */
+const handle = {
+  state: () => app.state.get(),
+  results: () => app.results.get(),
+  /** Where a vertex is on the page, in CSS pixels, and whether nothing hides it. */
+  project: (side: Side, vertex: number) => viewer?.project(side, vertex) ?? null,
+};
+Object.assign(globalThis, { polylap: handle });
+declare global {
+  var polylap: typeof handle;
+}

@@ -1,0 +1,147 @@
+import { PerspectiveCamera, Spherical, Vector3 } from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+
+/** Share of the view that a mesh fills at first. */
+const fill = 0.94;
+const sampleLimit = 20_000;
+
+/** One camera for both views, turned by either: what links them. */
+export class LinkedCamera {
+  readonly camera = new PerspectiveCamera(28, 1, 0.01, 100);
+  private readonly target = new Vector3();
+  private readonly controls: OrbitControls[] = [];
+  private home: { position: Vector3; target: Vector3 } | null = null;
+  private nudging = 0;
+
+  constructor(
+    private readonly changed: () => void,
+    /** Somebody has taken the camera: it is theirs from now on. */
+    private readonly taken: () => void,
+  ) {}
+
+  attach(view: HTMLElement): void {
+    const controls = new OrbitControls(this.camera, view);
+    controls.target = this.target;
+    controls.enableDamping = false;
+    controls.zoomToCursor = false;
+    controls.addEventListener('change', this.changed);
+    controls.addEventListener('start', () => this.take());
+    this.controls.push(controls);
+    view.addEventListener('keydown', (event) => this.key(event));
+  }
+
+  private take(): void {
+    cancelAnimationFrame(this.nudging);
+    this.taken();
+  }
+
+  private key(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const turn = Math.PI / 24;
+    const moves: Record<string, () => void> = {
+      ArrowLeft: () => this.turn(-turn, 0),
+      ArrowRight: () => this.turn(turn, 0),
+      ArrowUp: () => this.turn(0, -turn),
+      ArrowDown: () => this.turn(0, turn),
+      '+': () => this.zoom(1 / 1.15),
+      '=': () => this.zoom(1 / 1.15),
+      '-': () => this.zoom(1.15),
+      '0': () => this.goHome(),
+    };
+    const move = moves[event.key];
+    if (!move) return;
+    event.preventDefault();
+    this.take();
+    move();
+  }
+
+  private turn(theta: number, phi: number): void {
+    const around = new Spherical().setFromVector3(this.camera.position.clone().sub(this.target));
+    around.theta += theta;
+    around.phi += phi;
+    around.makeSafe();
+    this.camera.position.setFromSpherical(around).add(this.target);
+    this.settle();
+  }
+
+  private zoom(factor: number): void {
+    this.camera.position.sub(this.target).multiplyScalar(factor).add(this.target);
+    this.settle();
+  }
+
+  private settle(): void {
+    this.camera.lookAt(this.target);
+    this.camera.updateMatrixWorld();
+    this.changed();
+  }
+
+  goHome(): void {
+    if (!this.home) return;
+    this.camera.position.copy(this.home.position);
+    this.target.copy(this.home.target);
+    this.settle();
+  }
+
+  /** Puts the camera where points (in the world) fill a view of this aspect, seen from `from`. */
+  frame(points: Iterable<Vector3>, from: Vector3, aspect: number): void {
+    const sample = [...points];
+    const every = Math.ceil(sample.length / sampleLimit);
+    const kept = sample.filter((_, i) => i % every === 0);
+    const away = from.clone().normalize();
+    const { camera } = this;
+    camera.aspect = aspect;
+    const tanY = Math.tan((camera.fov * Math.PI) / 360) * fill;
+    const tanX = tanY * aspect;
+    camera.position.copy(away);
+    camera.lookAt(0, 0, 0);
+    const right = new Vector3().setFromMatrixColumn(camera.matrix.makeRotationFromQuaternion(camera.quaternion), 0);
+    const up = new Vector3().setFromMatrixColumn(camera.matrix, 1);
+    // In the frame (right, up, away) each side of the view is a plane; the tightest pair of each gives distance and centre.
+    let [xMax, xMin, yMax, yMin, zMax, radius] = [-Infinity, -Infinity, -Infinity, -Infinity, -Infinity, 0];
+    for (const point of kept) {
+      const x = point.dot(right);
+      const y = point.dot(up);
+      const z = point.dot(away);
+      xMax = Math.max(xMax, x + tanX * z);
+      xMin = Math.max(xMin, -x + tanX * z);
+      yMax = Math.max(yMax, y + tanY * z);
+      yMin = Math.max(yMin, -y + tanY * z);
+      zMax = Math.max(zMax, z);
+      radius = Math.max(radius, point.length());
+    }
+    const height = Math.max((xMax + xMin) / (2 * tanX), (yMax + yMin) / (2 * tanY), zMax + 1e-3 * radius);
+    const centre = right.multiplyScalar((xMax - xMin) / 2).addScaledVector(up, (yMax - yMin) / 2);
+    this.target.copy(centre);
+    camera.position.copy(centre).addScaledVector(away, height);
+    camera.near = radius / 100;
+    camera.far = height + 20 * radius;
+    camera.updateProjectionMatrix();
+    for (const controls of this.controls) {
+      controls.minDistance = radius / 20;
+      controls.maxDistance = 15 * radius;
+    }
+    this.home = { position: camera.position.clone(), target: this.target.clone() };
+    this.settle();
+  }
+
+  /** A slow turn that comes to rest at home: depth shows itself once. */
+  nudge(): void {
+    const began = performance.now();
+    const span = 1800;
+    let done = 0;
+    const total = 0.22;
+    this.turn(-total, 0);
+    const frame = (now: number) => {
+      const t = Math.min(1, Math.max(0, (now - began) / span));
+      const reached = total * (1 - (1 - t) ** 3);
+      this.turn(reached - done, 0);
+      done = reached;
+      if (t < 1) this.nudging = requestAnimationFrame(frame);
+    };
+    this.nudging = requestAnimationFrame(frame);
+  }
+
+  distance(): number {
+    return this.camera.position.distanceTo(this.target);
+  }
+}

@@ -1,0 +1,175 @@
+import { BufferGeometry, DoubleSide, GLSL3, type Material, Mesh, ShaderMaterial, type Texture, Vector2, Vector3 } from 'three';
+import type { Geometry } from '../polylap.js';
+import { faceNormals, fetchTexel, noValue, ScalarTexture, VectorTexture } from './data-texture.js';
+
+/** Looks up a triangle's corner by gl_VertexID: a mesh needs no vertex buffers, and a step uploads V + F vectors only. */
+const corner = /* glsl */ `
+precision highp isampler2D;
+uniform highp sampler2D positions;
+uniform highp isampler2D triangles;
+${fetchTexel}
+ivec4 triangle() { return texelFetch(triangles, texel(gl_VertexID / 3), 0); }
+int cornerOf(ivec4 t) { int k = gl_VertexID % 3; return k == 0 ? t.x : k == 1 ? t.y : t.z; }
+vec4 cornerAt(int vertex) { return modelViewMatrix * vec4(texelFetch(positions, texel(vertex), 0).xyz, 1.0); }`;
+
+const vertexShader = /* glsl */ `
+${corner}
+uniform highp sampler2D normals;
+uniform highp sampler2D values;
+flat out vec3 vNormal;
+flat out int vEdges;
+out vec3 vCorner;
+out vec3 vEye;
+out float vValue;
+out float vKnown;
+void main() {
+  ivec4 t = triangle();
+  int vertex = cornerOf(t);
+  vec4 eye = cornerAt(vertex);
+  int k = gl_VertexID % 3;
+  vCorner = vec3(k == 0, k == 1, k == 2);
+  vEdges = t.w & 7;
+  vNormal = normalMatrix * texelFetch(normals, texel(t.w >> 3), 0).xyz;
+  float value = texelFetch(values, texel(vertex), 0).x;
+  vKnown = value < ${(noValue / 10).toExponential(1)} ? 1.0 : 0.0;
+  vValue = vKnown * value;
+  vEye = eye.xyz;
+  gl_Position = projectionMatrix * eye;
+}`;
+
+const fragmentShader = /* glsl */ `
+uniform sampler2D map;
+uniform bool mapped;
+uniform vec2 range;
+uniform vec3 lit;
+uniform vec3 shade;
+uniform vec3 edge;
+uniform float pixelRatio;
+flat in vec3 vNormal;
+flat in int vEdges;
+in vec3 vCorner;
+in vec3 vEye;
+in float vValue;
+in float vKnown;
+out vec4 colour;
+void main() {
+  vec3 n = normalize(vNormal);
+  if (dot(n, vEye) > 0.0) n = -n;
+  float light = 0.5 + 0.5 * dot(n, normalize(vec3(-0.35, 0.9, 0.45)));
+  vec3 surface = mix(shade, lit, smoothstep(0.0, 1.0, light));
+  if (mapped && vKnown > 0.999) {
+    float t = clamp((vValue - range.x) / (range.y - range.x), 0.0, 1.0);
+    surface = texture(map, vec2((t * 255.0 + 0.5) / 256.0, 0.5)).rgb * mix(0.78, 1.0, light);
+  }
+  // Distance to each side in pixels; side k lies opposite corner k + 2.
+  vec3 width = fwidth(vCorner);
+  vec3 away = vCorner / max(width, vec3(1e-6));
+  vec3 drawn = vec3(float(vEdges & 1), float(vEdges >> 1 & 1), float(vEdges >> 2 & 1));
+  vec3 near = drawn * (1.0 - smoothstep(0.15 * pixelRatio, 0.85 * pixelRatio + 0.35, away.zxy));
+  // Where triangles shrink to a few pixels edges fade, instead of painting everything dark.
+  float room = 1.0 - smoothstep(0.12, 0.45, max(width.x, max(width.y, width.z)) );
+  float line = max(near.x, max(near.y, near.z)) * mix(0.25, 1.0, room);
+  colour = vec4(mix(surface, edge, line), 1.0);
+}`;
+
+/** Draws 1 + the face of the nearest triangle, in three bytes. */
+const pickVertexShader = /* glsl */ `
+${corner}
+flat out int vFace;
+void main() {
+  ivec4 t = triangle();
+  vFace = t.w >> 3;
+  gl_Position = projectionMatrix * cornerAt(cornerOf(t));
+}`;
+const pickFragmentShader = /* glsl */ `
+flat in int vFace;
+out vec4 colour;
+void main() {
+  int id = vFace + 1;
+  colour = vec4(id & 255, id >> 8 & 255, id >> 16 & 255, 255) / 255.0;
+}`;
+
+export type Colours = Record<'lit' | 'shade' | 'edge' | 'negative' | 'ink' | 'card' | 'accent', Vector3>;
+
+/** One side's surface. */
+export class Surface {
+  readonly mesh: Mesh;
+  readonly positions: VectorTexture;
+  readonly values: ScalarTexture;
+  readonly material: ShaderMaterial;
+  readonly pickMaterial: ShaderMaterial;
+  /** 3V, as drawn. */
+  points: Float32Array;
+  private readonly normals: VectorTexture;
+  private readonly faceNormals: Float32Array;
+
+  constructor(
+    private readonly geometry: Geometry,
+    vertexCount: number,
+    triangles: Texture,
+    map: Texture,
+  ) {
+    const faces = geometry.offsets.length - 1;
+    this.positions = new VectorTexture(vertexCount);
+    this.values = new ScalarTexture(vertexCount);
+    this.normals = new VectorTexture(faces);
+    this.faceNormals = new Float32Array(3 * faces);
+    this.points = geometry.positions;
+    const corners = { positions: { value: this.positions.texture }, triangles: { value: triangles } };
+    this.material = new ShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader,
+      fragmentShader,
+      side: DoubleSide,
+      // Leaves room for the lines that lie on the surface.
+      polygonOffset: true,
+      polygonOffsetFactor: 1.5,
+      polygonOffsetUnits: 2,
+      uniforms: {
+        ...corners,
+        normals: { value: this.normals.texture },
+        values: { value: this.values.texture },
+        map: { value: map },
+        mapped: { value: false },
+        range: { value: new Vector2(0, 1) },
+        lit: { value: new Vector3(1, 1, 1) },
+        shade: { value: new Vector3() },
+        edge: { value: new Vector3() },
+        pixelRatio: { value: 1 },
+      },
+    });
+    this.pickMaterial = new ShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader: pickVertexShader,
+      fragmentShader: pickFragmentShader,
+      side: DoubleSide,
+      uniforms: corners,
+    });
+    const buffer = new BufferGeometry();
+    buffer.setDrawRange(0, geometry.triangles.length);
+    this.mesh = new Mesh(buffer, this.material as Material);
+    this.mesh.frustumCulled = false;
+    this.move(geometry.positions);
+  }
+
+  move(points: Float32Array): void {
+    this.points = points;
+    this.positions.update(points);
+    faceNormals(points, this.geometry.offsets, this.geometry.corners, this.faceNormals);
+    this.normals.update(this.faceNormals);
+  }
+
+  show(values: Float64Array | null, range: { min: number; max: number } | null): void {
+    this.values.update(values);
+    const { mapped, range: shown } = this.material.uniforms;
+    if (mapped) mapped.value = values !== null && range !== null;
+    if (range && shown) shown.value.set(range.min, range.max);
+  }
+
+  dispose(): void {
+    for (const { texture } of [this.positions, this.values, this.normals]) texture.dispose();
+    this.material.dispose();
+    this.pickMaterial.dispose();
+    this.mesh.geometry.dispose();
+  }
+}

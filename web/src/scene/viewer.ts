@@ -1,0 +1,304 @@
+import { type Material, Matrix4, Scene, type Texture, Vector3, WebGLRenderer, WebGLRenderTarget } from 'three';
+import { viridisTexture } from '../colour-maps.js';
+import type { Geometry, Side, Weights } from '../polylap.js';
+import { type Pin, sides } from '../state.js';
+import { LinkedCamera } from './camera.js';
+import { readColours } from './colours.js';
+import { triangleTexture } from './data-texture.js';
+import { hidden, Labels } from './labels.js';
+import { DashedLines } from './lines.js';
+import { type Mark, Markers } from './markers.js';
+import { Surface } from './surface.js';
+
+interface Shown {
+  scene: Scene;
+  surface: Surface;
+  lines: DashedLines | null;
+  markers: Markers;
+}
+
+/** How far from a vertex on the outline, in pixels, a click still means it. */
+const reach = 12;
+
+/** Two views of the mesh in one canvas: one renderer, one camera, a scissored rectangle each. Draws when something changed, not otherwise. */
+export class Viewer {
+  readonly camera: LinkedCamera;
+  private readonly renderer: WebGLRenderer;
+  private readonly pickTarget = new WebGLRenderTarget(1, 1);
+  private readonly map = viridisTexture();
+  private readonly labels: Record<Side, Labels>;
+  private shown: Record<Side, Shown> | null = null;
+  private geometry: Geometry | null = null;
+  private triangles: Texture | null = null;
+  private frame = 0;
+  private framed = false;
+  private framedAspect = 0;
+
+  constructor(
+    private readonly canvas: HTMLCanvasElement,
+    private readonly views: Record<Side, HTMLElement>,
+    private readonly afterFrame: () => void,
+  ) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.renderer.setClearColor(0, 0);
+    this.camera = new LinkedCamera(
+      () => this.request(),
+      () => {
+        this.framed = false;
+      },
+    );
+    this.labels = { a: new Labels(views.a), b: new Labels(views.b) };
+    for (const side of sides) this.camera.attach(views[side]);
+    new ResizeObserver(() => this.resize()).observe(canvas.parentElement as HTMLElement);
+    for (const side of sides) new ResizeObserver(() => this.resize()).observe(views[side]);
+    canvas.addEventListener('webglcontextrestored', () => this.request());
+  }
+
+  // --- what is shown ------------------------------------------------------------------------------------------------------
+
+  setMesh(geometry: Geometry, zIsUp: boolean): void {
+    this.clear();
+    this.geometry = geometry;
+    this.triangles = triangleTexture(geometry.triangles, geometry.triangleEdges, geometry.triangleFaces);
+    const count = geometry.positions.length / 3;
+    const lift = 0.35 * meanEdge(geometry);
+    const make = (): Shown => {
+      const scene = new Scene();
+      const surface = new Surface(geometry, count, this.triangles as Texture, this.map);
+      const markers = new Markers(surface.positions.texture, lift);
+      scene.add(surface.mesh, markers.object);
+      scene.matrixAutoUpdate = false;
+      scene.matrix.copy(zIsUp ? new Matrix4().makeRotationX(-Math.PI / 2) : new Matrix4());
+      scene.updateMatrixWorld(true);
+      return { scene, surface, lines: null, markers };
+    };
+    this.shown = { a: make(), b: make() };
+    this.recolour();
+    this.framed = true;
+    this.framedAspect = 0;
+    this.fit();
+  }
+
+  move(side: Side, points: Float32Array): void {
+    const surface = this.shown?.[side].surface;
+    if (!surface || surface.points === points) return;
+    surface.move(points);
+    this.request();
+  }
+
+  setNegative(side: Side, weights: Weights | null): void {
+    const shown = this.shown?.[side];
+    if (!shown) return;
+    if (shown.lines) {
+      shown.scene.remove(shown.lines.object);
+      shown.lines.dispose();
+      shown.lines = null;
+    }
+    if (weights && weights.segmentStarts.length > 0) {
+      shown.lines = new DashedLines(weights);
+      shown.scene.add(shown.lines.object);
+      shown.lines.object.updateMatrixWorld(true);
+      this.recolour();
+    }
+    this.request();
+  }
+
+  setValues(side: Side, values: Float64Array | null, range: { min: number; max: number } | null): void {
+    this.shown?.[side].surface.show(values, range);
+    this.request();
+  }
+
+  setMarks(side: Side, groups: readonly { mark: Mark; vertices: ArrayLike<number> }[]): void {
+    this.shown?.[side].markers.show(groups);
+    this.request();
+  }
+
+  setLabels(pins: readonly Pin[]): void {
+    for (const side of sides) this.labels[side].set(pins);
+    this.request();
+  }
+
+  /** Reads the colours anew, after the theme changed. */
+  recolour(): void {
+    const colours = readColours(this.canvas.parentElement ?? document.body);
+    for (const side of sides) {
+      const shown = this.shown?.[side];
+      if (!shown) continue;
+      const take = (material: { uniforms: Record<string, { value: unknown }> }) => {
+        for (const [name, colour] of Object.entries(colours)) if (material.uniforms[name]) material.uniforms[name].value = colour;
+      };
+      take(shown.surface.material);
+      take(shown.markers.material);
+      if (shown.lines?.material.uniforms.ink) shown.lines.material.uniforms.ink.value = colours.negative;
+    }
+    this.request();
+  }
+
+  // --- vertices and pixels ------------------------------------------------------------------------------------------------
+
+  /** Where a vertex is on the page, and whether nothing hides it. */
+  project(side: Side, vertex: number): { x: number; y: number; visible: boolean } | null {
+    const shown = this.shown?.[side];
+    const box = this.views[side].getBoundingClientRect();
+    if (!shown || !this.geometry || box.width === 0) return null;
+    this.aim(box);
+    const world = this.toWorld(shown, vertex);
+    const eye = this.toModel(shown, this.camera.camera.position.clone());
+    const screen = world.project(this.camera.camera);
+    const visible = Math.abs(screen.x) <= 1 && Math.abs(screen.y) <= 1 && !hidden(eye, vertex, shown.surface.points, this.geometry.triangles);
+    return { x: box.x + ((screen.x + 1) / 2) * box.width, y: box.y + ((1 - screen.y) / 2) * box.height, visible };
+  }
+
+  /** The vertex meant by a point of the page: the nearest corner of the face seen there. */
+  pick(side: Side, clientX: number, clientY: number): number | null {
+    const shown = this.shown?.[side];
+    const box = this.views[side].getBoundingClientRect();
+    if (!shown || !this.geometry || box.width === 0) return null;
+    const x = clientX - box.x;
+    const y = clientY - box.y;
+    const face = this.faceAt(shown, box, x, y);
+    const { offsets, corners, positions } = this.geometry;
+    let best: { vertex: number; distance: number } | null = null;
+    const consider = (vertex: number, within: number) => {
+      const screen = this.toWorld(shown, vertex).project(this.camera.camera);
+      const distance = Math.hypot(((screen.x + 1) / 2) * box.width - x, ((1 - screen.y) / 2) * box.height - y);
+      if (distance < within && (best === null || distance < best.distance)) best = { vertex, distance };
+    };
+    this.aim(box);
+    if (face >= 0) for (let c = offsets[face] as number; c < (offsets[face + 1] as number); c++) consider(corners[c] as number, Infinity);
+    else for (let vertex = 0; vertex < positions.length / 3; vertex++) consider(vertex, reach);
+    return (best as { vertex: number } | null)?.vertex ?? null;
+  }
+
+  /** Draws the one pixel in question with face numbers for colours. */
+  private faceAt(shown: Shown, box: DOMRect, x: number, y: number): number {
+    const { camera } = this.camera;
+    this.aim(box);
+    camera.setViewOffset(box.width, box.height, x - 0.5, y - 0.5, 1, 1);
+    const { mesh, pickMaterial, material } = shown.surface;
+    const others = shown.scene.children.filter((child) => child !== mesh && child.visible);
+    for (const other of others) other.visible = false;
+    mesh.material = pickMaterial as Material;
+    this.renderer.setScissorTest(false);
+    this.renderer.setRenderTarget(this.pickTarget);
+    this.renderer.clear();
+    this.renderer.render(shown.scene, camera);
+    const pixel = new Uint8Array(4);
+    this.renderer.readRenderTargetPixels(this.pickTarget, 0, 0, 1, 1, pixel);
+    this.renderer.setRenderTarget(null);
+    mesh.material = material as Material;
+    for (const other of others) other.visible = true;
+    camera.clearViewOffset();
+    const [r = 0, g = 0, b = 0] = pixel;
+    return r + 256 * g + 65536 * b - 1;
+  }
+
+  private toWorld(shown: Shown, vertex: number): Vector3 {
+    return new Vector3().fromArray(shown.surface.points, 3 * vertex).applyMatrix4(shown.scene.matrix);
+  }
+
+  private toModel(shown: Shown, world: Vector3): Vector3 {
+    return world.applyMatrix4(shown.scene.matrix.clone().invert());
+  }
+
+  // --- drawing ------------------------------------------------------------------------------------------------------------
+
+  request(): void {
+    this.frame ||= requestAnimationFrame(() => {
+      this.frame = 0;
+      this.draw();
+    });
+  }
+
+  private resize(): void {
+    const stage = this.canvas.parentElement as HTMLElement;
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.renderer.setSize(stage.clientWidth, stage.clientHeight, false);
+    // A camera that nobody has touched keeps the mesh in full view.
+    if (this.framed) this.fit();
+    this.draw();
+  }
+
+  private fit(): void {
+    const box = sides.map((side) => this.views[side].getBoundingClientRect()).find(({ width, height }) => width > 0 && height > 0);
+    const shown = this.shown?.a;
+    if (!box || !shown || !this.geometry) return;
+    const aspect = box.width / box.height;
+    if (Math.abs(aspect - this.framedAspect) < 1e-3) return;
+    this.framedAspect = aspect;
+    const points = Array.from({ length: this.geometry.positions.length / 3 }, (_, vertex) => this.toWorld(shown, vertex));
+    const flat = points.every((point) => Math.abs(point.y) < 1e-9) || points.every((point) => Math.abs(point.z) < 1e-9);
+    const upright = points.some((point) => Math.abs(point.y) > 1e-9);
+    this.camera.frame(points, flat ? (upright ? new Vector3(0, 0, 1) : new Vector3(0, 1, 0.45)) : new Vector3(0.1, 0.72, 1), aspect);
+    this.request();
+  }
+
+  private aim({ width, height }: { width: number; height: number }): void {
+    const { camera } = this.camera;
+    camera.aspect = width / height;
+    camera.updateProjectionMatrix();
+    camera.updateMatrixWorld();
+  }
+
+  private draw(): void {
+    const { renderer, shown, geometry } = this;
+    renderer.setScissorTest(false);
+    renderer.clear();
+    if (!shown || !geometry) return;
+    const stage = this.canvas.getBoundingClientRect();
+    const ratio = renderer.getPixelRatio();
+    renderer.setScissorTest(true);
+    for (const side of sides) {
+      const box = this.views[side].getBoundingClientRect();
+      if (box.width === 0 || box.height === 0) continue;
+      const { scene, surface, lines, markers } = shown[side];
+      this.aim(box);
+      const lengthPerPixel = (2 * this.camera.distance() * Math.tan((this.camera.camera.fov * Math.PI) / 360)) / box.height;
+      lines?.fit(box.width, box.height, ratio, lengthPerPixel);
+      for (const { uniforms } of [surface.material, markers.material]) if (uniforms.pixelRatio) uniforms.pixelRatio.value = ratio;
+      const bottom = stage.bottom - box.bottom;
+      renderer.setViewport(box.left - stage.left, bottom, box.width, box.height);
+      renderer.setScissor(box.left - stage.left, bottom, box.width, box.height);
+      renderer.render(scene, this.camera.camera);
+      this.labels[side].place(
+        this.camera.camera,
+        surface.points,
+        geometry.triangles,
+        (vertex) => this.toWorld(shown[side], vertex),
+        (world) => this.toModel(shown[side], world),
+        box.width,
+        box.height,
+      );
+    }
+    this.afterFrame();
+  }
+
+  private clear(): void {
+    for (const side of sides) {
+      const shown = this.shown?.[side];
+      shown?.surface.dispose();
+      shown?.lines?.dispose();
+      shown?.markers.dispose();
+    }
+    this.triangles?.dispose();
+    this.shown = null;
+  }
+}
+
+function meanEdge({ positions, offsets, corners }: Geometry): number {
+  let sum = 0;
+  for (let f = 0; f + 1 < offsets.length; f++) {
+    const last = (offsets[f + 1] as number) - 1;
+    let before = 3 * (corners[last] as number);
+    for (let c = offsets[f] as number; c <= last; c++) {
+      const here = 3 * (corners[c] as number);
+      sum += Math.hypot(
+        (positions[here] as number) - (positions[before] as number),
+        (positions[here + 1] as number) - (positions[before + 1] as number),
+        (positions[here + 2] as number) - (positions[before + 2] as number),
+      );
+      before = here;
+    }
+  }
+  return sum / corners.length;
+}

@@ -1,0 +1,17 @@
+import { fileURLToPath } from 'node:url';
+import { defineConfig } from 'vite';
+
+export default defineConfig({
+  root: fileURLToPath(new URL('.', import.meta.url)),
+  base: './',
+  worker: { format: 'es' },
+  // The module and its wasm live beside web/.
+  server: { fs: { allow: ['..'] } },
+  build: {
+    outDir: '../dist',
+    emptyOutDir: true,
+    // light-dark() in the style sheet sets the floor.
+    target: ['chrome123', 'firefox121', 'safari17.5'],
+    chunkSizeWarningLimit: 800,
+  },
+});
