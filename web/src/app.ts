@@ -30,7 +30,8 @@ export class App {
   constructor(private readonly client: Promise<Client>) {
     void client.then(
       (ready) => {
-        ready.onRestart = (reason) => this.say(`The worker was started again: ${reason.replace(/\.$/, '')}. The mesh is as it was.`);
+        ready.onRestart = (reason) =>
+          this.say(`The worker was started again: ${reason.replace(/\.$/, '')}. The mesh is as it was.`);
       },
       // Told by the first mesh that cannot be made.
       () => {},
@@ -48,19 +49,29 @@ export class App {
   async makePreset(id: string): Promise<void> {
     const preset = presets.find((entry) => entry.id === id) ?? presets[0];
     if (!preset) return;
-    await this.take({ kind: 'preset', id: preset.id }, preset.label, async () => (await this.client).make(preset.shape));
+    await this.take({ kind: 'preset', id: preset.id }, preset.label, async () =>
+      (await this.client).make(preset.shape),
+    );
   }
 
   /** @returns what was wrong, or null; the mesh on screen stays if something was */
   async open(file: Blob, name: string): Promise<Message | null> {
     if (file.size > tooManyBytes) {
-      return this.refuse(name, `It has ${count(file.size / 1e6)} MB; this page takes up to ${count(tooManyBytes / 1e6)} MB.`);
+      return this.refuse(
+        name,
+        `It has ${count(file.size / 1e6)} MB; this page takes up to ${count(tooManyBytes / 1e6)} MB.`,
+      );
     }
     const faces = await countFaces(file, name);
     if (faces > tooManyFaces) {
-      return this.refuse(name, `It has ${plural(faces, 'face')}; this page takes up to ${count(tooManyFaces)}. The command line takes more.`);
+      return this.refuse(
+        name,
+        `It has ${plural(faces, 'face')}; this page takes up to ${count(tooManyFaces)}. The command line takes more.`,
+      );
     }
-    return this.take({ kind: 'file', name }, name, () => this.work.run(`Opening ${name}`, async (run) => (await this.client).open(file, name, run)));
+    return this.take({ kind: 'file', name }, name, () =>
+      this.work.run(`Opening ${name}`, async (run) => (await this.client).open(file, name, run)),
+    );
   }
 
   private refuse(name: string, text: string): Message {
@@ -91,7 +102,14 @@ export class App {
     const before = this.results.get().mesh;
     this.state.set({ source, selected: null, harmonic: { ...this.state.get().harmonic, pins: [] } });
     const { positions } = mesh.geometry;
-    this.results.set({ mesh, a: freshSide(positions), b: freshSide(positions), error: null, hovered: null, notice: describe(mesh, label) });
+    this.results.set({
+      mesh,
+      a: freshSide(positions),
+      b: freshSide(positions),
+      error: null,
+      hovered: null,
+      notice: describe(mesh, label),
+    });
     void before?.close();
     for (const side of sides) {
       void this.measure(mesh, side);
@@ -184,7 +202,9 @@ export class App {
     const options = { time: smooth.timeH2 * mesh.meanSquaredEdge, steps: 1, rebuild: smooth.rebuild };
     const settled = await Promise.allSettled(
       moving.map((side) =>
-        this.work.run(`${side.toUpperCase()}: step ${behind + 1}`, (run) => mesh.smooth(specOf(choices[side]), options, { side, ...run })),
+        this.work.run(`${side.toUpperCase()}: step ${behind + 1}`, (run) =>
+          mesh.smooth(specOf(choices[side]), options, { side, ...run }),
+        ),
       ),
     );
     if (this.results.get().mesh !== mesh) return;
@@ -195,7 +215,11 @@ export class App {
       else {
         patch.playing = false;
         if (isCancelled(outcome.reason)) patch.notice = 'Cancelled; the surfaces are those of the last finished step.';
-        else patch.error = { title: `Side ${side.toUpperCase()} stopped at step ${behind}`, text: explain(outcome.reason) };
+        else
+          patch.error = {
+            title: `Side ${side.toUpperCase()} stopped at step ${behind}`,
+            text: explain(outcome.reason),
+          };
       }
     });
     this.results.set(patch);
@@ -314,7 +338,8 @@ function surfaceOf({ step, positions, stats }: Smoothed) {
 /** The error's own words, with the place in front if they do not name it. */
 export function explain(reason: unknown): string {
   if (!(reason instanceof Error)) return String(reason);
-  if (reason instanceof PolylapError && reason.line > 0 && !/\bline\b/i.test(reason.message)) return `Line ${reason.line}: ${reason.message}`;
+  if (reason instanceof PolylapError && reason.line > 0 && !/\bline\b/i.test(reason.message))
+    return `Line ${reason.line}: ${reason.message}`;
   return reason.message;
 }
 

@@ -35,6 +35,11 @@ export function bindViewer(app: App, viewer: Viewer): void {
     );
   }
 
+  app.state.watch(
+    (state) => [state.negativeShown[state.task]],
+    (shown) => viewer.showNegative(shown),
+  );
+
   const showValues = () => {
     const results = app.results.get();
     const range = app.state.get().task === 'harmonic' ? sharedRange(results) : null;
@@ -70,7 +75,8 @@ export function bindViewer(app: App, viewer: Viewer): void {
 
   const recolour = () => viewer.recolour();
   app.state.watch((state) => [state.theme], recolour);
-  for (const query of ['(prefers-color-scheme: dark)', '(forced-colors: active)']) matchMedia(query).addEventListener('change', recolour);
+  for (const query of ['(prefers-color-scheme: dark)', '(forced-colors: active)'])
+    matchMedia(query).addEventListener('change', recolour);
 }
 
 /** Pointer and keys on the views. */
@@ -113,7 +119,14 @@ export function bindInput(app: App, viewer: Viewer, views: Record<Side, HTMLElem
 /** Keys that mean the same anywhere on the page, except where one writes. */
 export function bindKeys(app: App, help: () => void): void {
   document.addEventListener('keydown', (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey || isTyping(event.target) || document.querySelector('dialog[open]')) return;
+    if (
+      event.ctrlKey ||
+      event.metaKey ||
+      event.altKey ||
+      isTyping(event.target) ||
+      document.querySelector('dialog[open]')
+    )
+      return;
     if (event.key === '[') app.walk(-1);
     else if (event.key === ']') app.walk(1);
     else if (event.key === '?') help();

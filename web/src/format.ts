@@ -4,7 +4,11 @@ const thinSpace = '\u202f';
 
 /** 2048 → "2 048" */
 export function count(value: number): string {
-  return minus(Math.round(value).toString().replace(/\B(?=(\d{3})+$)/g, thinSpace));
+  return minus(
+    Math.round(value)
+      .toString()
+      .replace(/\B(?=(\d{3})+$)/g, thinSpace),
+  );
 }
 
 /** A length, an area, a weight: `digits` significant digits, scientific only where plain digits would not fit a readout. */

@@ -32,8 +32,16 @@ try {
   bindViewer(app, viewer);
   bindInput(app, viewer, views);
 } catch {
-  void ready.then(() => tell('This browser shows no WebGL, so the meshes cannot be drawn. All numbers are right without it.'));
+  void ready.then(() =>
+    tell('This browser shows no WebGL, so the meshes cannot be drawn. All numbers are right without it.'),
+  );
 }
+// Something to read from the start: the row of a vertex in front.
+void ready.then(() => {
+  const { x, y, width, height } = views.a.getBoundingClientRect();
+  const front = viewer?.pick('a', x + 0.5 * width, y + 0.72 * height);
+  if (front !== null && front !== undefined) app.select(front);
+});
 canvas.addEventListener('webglcontextlost', (event) => {
   event.preventDefault();
   tell('The graphics card took the picture away. It comes back by itself as soon as it can.');

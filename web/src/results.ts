@@ -41,12 +41,23 @@ export function freshSide(positions: Float32Array = new Float32Array(0)): SideRe
 }
 
 export function noResults(): Results {
-  return { mesh: null, a: freshSide(), b: freshSide(), error: null, notice: 'Starting …', busy: null, playing: false, hovered: null };
+  return {
+    mesh: null,
+    a: freshSide(),
+    b: freshSide(),
+    error: null,
+    notice: 'Starting …',
+    busy: null,
+    playing: false,
+    hovered: null,
+  };
 }
 
 /** One range for both sides, so that equal colours are equal values; null when there is nothing to show. */
 export function sharedRange(results: Results): { min: number; max: number } | null {
-  const shown = [results.a.harmonic, results.b.harmonic].filter((harmonic) => harmonic !== null && typeof harmonic !== 'string');
+  const shown = [results.a.harmonic, results.b.harmonic].filter(
+    (harmonic) => harmonic !== null && typeof harmonic !== 'string',
+  );
   if (shown.length === 0) return null;
   const min = Math.min(...shown.map((harmonic) => harmonic.min));
   const max = Math.max(...shown.map((harmonic) => harmonic.max));

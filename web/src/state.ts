@@ -26,6 +26,8 @@ export interface State {
   sides: Readonly<Record<Side, Choice>>;
   smooth: { timeH2: number; rebuild: boolean };
   harmonic: { pins: readonly Pin[]; value: number };
+  /** In which tasks negative weights are drawn on the meshes. */
+  negativeShown: Readonly<Record<Task, boolean>>;
   /** The vertex whose numbers are read. */
   selected: number | null;
   /** Which side is seen where there is room for one. */
@@ -59,6 +61,7 @@ export function initialState(): State {
     sides: { a: initialChoice(openingPair.a), b: initialChoice(openingPair.b) },
     smooth: { timeH2: 0.1, rebuild: true },
     harmonic: { pins: [], value: 1 },
+    negativeShown: { weights: true, smooth: true, harmonic: false },
     selected: null,
     shown: 'a',
     theme: 'auto',

@@ -16,13 +16,22 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
     { class: 'operator' },
   );
   const formula = h('div', { class: 'formula' });
-  const loud = h('output', { class: 'loud', 'aria-label': `Negative weights of ${letter}`, 'data-readout': 'negative' }, '–');
+  const loud = h(
+    'output',
+    { class: 'loud', 'aria-label': `Negative weights of ${letter}`, 'data-readout': 'negative' },
+    '–',
+  );
   const caption = h('span', { class: 'count-name' });
   const share = h('span', { class: 'count-share' });
   const again = button('Compute', () => app.update(side), { class: 'quiet' });
-  const view = h('div', { class: 'view', tabindex: 0, role: 'application', 'aria-roledescription': '3D view', 'data-view': side });
+  const view = h('div', {
+    class: 'view',
+    tabindex: 0,
+    role: 'application',
+    'aria-roledescription': '3D view',
+    'data-view': side,
+  });
   const at = h('p', { class: 'view-caption', 'data-readout': 'vertex' });
-  view.append(at);
   const figures = h('p', { class: 'figures' });
   const element = h(
     'section',
@@ -30,6 +39,7 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
     h('header', { class: 'card-head' }, h('span', { class: 'badge', 'aria-hidden': 'true' }, letter), choose, formula),
     h('div', { class: 'count' }, loud, h('p', { class: 'count-text' }, caption, share), again),
     view,
+    at,
     h('footer', { class: 'card-foot' }, parameterControls(app, side), figures),
   );
 
@@ -41,7 +51,10 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
       choose.title = `${operator.summary}\n${operator.citation}`;
       // From the operator table, made when the page was built.
       formula.innerHTML = operator.formulaMathml;
-      view.setAttribute('aria-label', `Mesh ${letter}, ${operator.label}. Arrow keys turn it, plus and minus zoom, 0 shows all of it.`);
+      view.setAttribute(
+        'aria-label',
+        `Mesh ${letter}, ${operator.label}. Arrow keys turn it, plus and minus zoom, 0 shows all of it.`,
+      );
     },
   );
   app.results.watch(
@@ -51,7 +64,8 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
       const known = weights !== null && !failed;
       put(loud, known ? count(weights.negativeOrdered) : '–', known ? weights.negativeOrdered : null);
       loud.classList.toggle('negative', known && weights.negativeOrdered > 0);
-      caption.textContent = known && weights.negativeOrdered === 1 ? 'negative weight' : failed ? 'no weights' : 'negative weights';
+      caption.textContent =
+        known && weights.negativeOrdered === 1 ? 'negative weight' : failed ? 'no weights' : 'negative weights';
       share.textContent = known ? `of ${count(weights.nonzeroOrdered)} off-diagonal pairs` : failed ? weights : ' ';
       share.title = share.textContent;
       again.hidden = !failed;
@@ -65,7 +79,11 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
       const planarity = h('span', { 'data-readout': 'non-planarity' });
       if (shape) put(planarity, real(shape.meanNonPlanarity, 3), shape.meanNonPlanarity);
       figures.append(
-        h('span', { 'data-readout': 'vertices', 'data-value': mesh.vertices }, plural(mesh.vertices, 'vertex', 'vertices')),
+        h(
+          'span',
+          { 'data-readout': 'vertices', 'data-value': mesh.vertices },
+          plural(mesh.vertices, 'vertex', 'vertices'),
+        ),
         ' · ',
         h('span', { 'data-readout': 'faces', 'data-value': mesh.faces }, plural(mesh.faces, ...faceNames(mesh))),
         ' · mean non-planarity ',
@@ -78,7 +96,10 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
     const { selected, task } = app.state.get();
     const vertex = results.hovered ?? selected;
     const { harmonic } = results[side];
-    const value = vertex !== null && task === 'harmonic' && harmonic && typeof harmonic !== 'string' ? harmonic.values[vertex] : undefined;
+    const value =
+      vertex !== null && task === 'harmonic' && harmonic && typeof harmonic !== 'string'
+        ? harmonic.values[vertex]
+        : undefined;
     put(at, vertex === null ? '' : `vertex ${vertex}${value === undefined ? '' : `: ${exact(value)}`}`, value);
   };
   app.results.watch((results) => [results.hovered, results[side].harmonic], showVertex);

@@ -13,7 +13,10 @@ export interface NumberOptions {
 }
 
 /** A number field that takes what is valid as it is typed, and shows the last valid value again when left with something else. */
-export function numberField(options: NumberOptions): { element: HTMLInputElement; set: (value: number | null) => void } {
+export function numberField(options: NumberOptions): {
+  element: HTMLInputElement;
+  set: (value: number | null) => void;
+} {
   let held: number | null = null;
   const element = h('input', {
     type: 'number',
@@ -44,7 +47,13 @@ export function numberField(options: NumberOptions): { element: HTMLInputElement
   };
 }
 
-export function slider(options: { label: string; min: number; max: number; step: number | 'any'; onInput: (value: number) => void }) {
+export function slider(options: {
+  label: string;
+  min: number;
+  max: number;
+  step: number | 'any';
+  onInput: (value: number) => void;
+}) {
   const element = h('input', {
     type: 'range',
     'aria-label': options.label,
@@ -73,7 +82,12 @@ export function button(text: string, onclick: () => void, properties: Record<str
 }
 
 /** A native menu; `options` are [value, text]. */
-export function menu(label: string, options: readonly (readonly [string, string])[], onPick: (value: string) => void, properties: Record<string, unknown> = {}) {
+export function menu(
+  label: string,
+  options: readonly (readonly [string, string])[],
+  onPick: (value: string) => void,
+  properties: Record<string, unknown> = {},
+) {
   const element = h(
     'select',
     { 'aria-label': label, onchange: () => onPick(element.value), ...properties },

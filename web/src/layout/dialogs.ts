@@ -27,14 +27,23 @@ export function helpDialog(): HTMLDialogElement {
       'see it happen in Harmonic, and see what each operator makes of the surface in Smooth. Everything is computed on your machine; nothing is uploaded.',
     ),
     h('dl', { class: 'shortcuts' }, ...shortcuts.flatMap(([keys, what]) => [h('dt', {}, keys), h('dd', {}, what)])),
-    h('div', { class: 'buttons end' }, button('Close', () => dialog.close(), { class: 'primary' })),
+    h(
+      'div',
+      { class: 'buttons end' },
+      button('Close', () => dialog.close(), { class: 'primary' }),
+    ),
   );
   return dialog;
 }
 
 /** Takes OBJ text; stays open with the text and what is wrong with it until it opens. */
 export function pasteDialog(app: App): HTMLDialogElement {
-  const text = h('textarea', { id: 'paste-text', rows: 14, spellcheck: 'false', placeholder: 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4' });
+  const text = h('textarea', {
+    id: 'paste-text',
+    rows: 14,
+    spellcheck: 'false',
+    placeholder: 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4',
+  });
   const error = h('p', { class: 'dialog-error', role: 'alert' });
   const open = button(
     'Open',
@@ -58,7 +67,12 @@ export function pasteDialog(app: App): HTMLDialogElement {
     h('label', { for: 'paste-text' }, 'OBJ text: lines v x y z, and f with the vertices of a face, any number of them'),
     text,
     error,
-    h('div', { class: 'buttons end' }, button('Close', () => dialog.close()), open),
+    h(
+      'div',
+      { class: 'buttons end' },
+      button('Close', () => dialog.close()),
+      open,
+    ),
   );
   return dialog;
 }

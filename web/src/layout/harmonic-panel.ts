@@ -15,15 +15,21 @@ export function harmonicPanel(app: App): HTMLElement {
   const setValue = (value: number) => app.state.set({ harmonic: { ...app.state.get().harmonic, value } });
   const value = numberField({ label: 'Value of the next pin', onChange: setValue });
   value.element.dataset.field = 'value';
-  const quick = [0, 1].map((number) => button(String(number), () => setValue(number), { class: 'key', 'aria-label': `Pin to ${number}` }));
-  const preset = menu('Values of the boundary', boundaryPresets.map(({ id, label }) => [id, label] as const), () => {});
+  const quick = [0, 1].map((number) =>
+    button(String(number), () => setValue(number), { class: 'key', 'aria-label': `Pin to ${number}` }),
+  );
+  const preset = menu(
+    'Values of the boundary',
+    boundaryPresets.map(({ id, label }) => [id, label] as const),
+    () => {},
+  );
   const pinBoundary = button(
-    'Pin the boundary',
+    'Pin all',
     () => {
       const { mesh } = app.results.get();
       if (mesh) app.setPins(boundaryPins(mesh, preset.value, app.state.get().harmonic.value));
     },
-    { 'data-action': 'pin-boundary' },
+    { 'data-action': 'pin-boundary', 'aria-label': 'Pin the whole boundary' },
   );
   const clear = button('Clear', () => app.setPins([]), { 'data-action': 'clear-pins' });
   const example = button(
@@ -52,8 +58,8 @@ export function harmonicPanel(app: App): HTMLElement {
       'section',
       {},
       h('h2', {}, 'Pin values'),
-      h('div', { class: 'line' }, h('span', {}, 'Click a vertex to pin it to'), value.element, ...quick),
-      h('div', { class: 'line' }, pinBoundary, preset),
+      h('div', { class: 'line' }, h('span', { class: 'line-name' }, 'Click to pin'), value.element, ...quick),
+      h('div', { class: 'line' }, h('span', { class: 'line-name' }, 'Boundary'), preset, pinBoundary),
       noBoundary,
       h('div', { class: 'line' }, example, clear),
     ),
@@ -94,7 +100,12 @@ export function harmonicPanel(app: App): HTMLElement {
       clear.disabled = pins.length === 0;
       listTitle.textContent = pins.length === 0 ? 'No pins yet' : plural(pins.length, 'pin');
       // A row that is being typed into must not be built anew.
-      const rows = new Map(Array.from(list.children, (row) => [(row as HTMLElement).dataset.vertex, row as HTMLElement & { set: (value: number) => void }]));
+      const rows = new Map(
+        Array.from(list.children, (row) => [
+          (row as HTMLElement).dataset.vertex,
+          row as HTMLElement & { set: (value: number) => void },
+        ]),
+      );
       list.replaceChildren(
         ...pins.slice(0, listed).map((pin) => {
           const row = rows.get(String(pin.vertex)) ?? pinRow(app, pin.vertex);
@@ -108,7 +119,10 @@ export function harmonicPanel(app: App): HTMLElement {
 
   const showReadouts = () => {
     const results = app.results.get();
-    const { selected, harmonic: { pins } } = app.state.get();
+    const {
+      selected,
+      harmonic: { pins },
+    } = app.state.get();
     const vertex = results.hovered ?? selected;
     for (const side of sides) {
       const { harmonic } = results[side];
@@ -117,14 +131,27 @@ export function harmonicPanel(app: App): HTMLElement {
       readouts.set('value', side, at === undefined ? { text: '–' } : { text: exact(at), value: at });
       readouts.set('min', side, known ? { text: exact(known.min), value: known.min } : { text: '–' });
       readouts.set('max', side, known ? { text: exact(known.max), value: known.max } : { text: '–' });
-      readouts.set('outside', side, known ? { text: count(known.outside.length), value: known.outside.length, class: known.outside.length > 0 ? 'strong' : '' } : { text: '–' });
+      readouts.set(
+        'outside',
+        side,
+        known
+          ? {
+              text: count(known.outside.length),
+              value: known.outside.length,
+              class: known.outside.length > 0 ? 'strong' : '',
+            }
+          : { text: '–' },
+      );
     }
     const { a, b } = results;
     const problem = [a.harmonic, b.harmonic].find((harmonic) => typeof harmonic === 'string');
     if (typeof problem === 'string') put(verdict, problem);
     else if (a.harmonic && b.harmonic && typeof a.harmonic !== 'string') {
       const outside = `${count(a.harmonic.outside.length)} | ${count((b.harmonic as typeof a.harmonic).outside.length)}`;
-      put(verdict, `${outside} vertices outside the pinned range [${exact(a.harmonic.fixedMin)}, ${exact(a.harmonic.fixedMax)}]; the maximum principle allows none.`);
+      put(
+        verdict,
+        `${outside} vertices outside the pinned range [${exact(a.harmonic.fixedMin)}, ${exact(a.harmonic.fixedMax)}]; the maximum principle allows none.`,
+      );
     } else put(verdict, pins.length === 0 ? 'Pin a vertex to see the harmonic function of both operators.' : ' ');
   };
   app.results.watch((results) => [results.a.harmonic, results.b.harmonic, results.hovered], showReadouts);
@@ -133,7 +160,10 @@ export function harmonicPanel(app: App): HTMLElement {
 }
 
 function pinRow(app: App, vertex: number): HTMLElement & { set: (value: number) => void } {
-  const field = numberField({ label: `Value of the pin at vertex ${vertex}`, onChange: (value) => app.pin(vertex, value) });
+  const field = numberField({
+    label: `Value of the pin at vertex ${vertex}`,
+    onChange: (value) => app.pin(vertex, value),
+  });
   const row = h(
     'li',
     { 'data-vertex': vertex },

@@ -12,7 +12,12 @@ const themes: readonly (readonly [Theme, string])[] = [
 const opened = 'opened';
 
 export function header(app: App, actions: { open: () => void; paste: () => void; help: () => void }): HTMLElement {
-  const meshes = menu('Mesh', presets.map(({ id, label }) => [id, label] as const), (id) => void app.makePreset(id), { class: 'mesh-menu' });
+  const meshes = menu(
+    'Mesh',
+    presets.map(({ id, label }) => [id, label] as const),
+    (id) => void app.makePreset(id),
+    { class: 'mesh-menu' },
+  );
   const theme = menu('Colours', themes, (value) => app.state.set({ theme: value as Theme }), { class: 'theme-menu' });
   // The opened file is in the menu as long as it is on screen.
   app.state.watch(

@@ -27,7 +27,11 @@ export function page(app: App, root: HTMLElement): Page {
   const files = intake(app, root);
   const cards = { a: card(app, 'a'), b: card(app, 'b') };
   const canvas = h('canvas', { class: 'scene', 'aria-hidden': 'true' });
-  const panels: Record<Task, HTMLElement> = { weights: weightsPanel(app), smooth: smoothPanel(app), harmonic: harmonicPanel(app) };
+  const panels: Record<Task, HTMLElement> = {
+    weights: weightsPanel(app),
+    smooth: smoothPanel(app),
+    harmonic: harmonicPanel(app),
+  };
   const tasks = tabs<Task>(
     'Task',
     [
@@ -42,7 +46,13 @@ export function page(app: App, root: HTMLElement): Page {
     header(app, { open: files.pick, paste: () => paste.showModal(), help: () => help.showModal() }),
     files.element,
     h('div', { class: 'task-line' }, tasks.element, errorLine(app)),
-    h('main', {}, sideSwitch(app), stage, h('aside', { class: 'panel', 'aria-label': 'Controls and readouts' }, ...Object.values(panels))),
+    h(
+      'main',
+      {},
+      sideSwitch(app),
+      stage,
+      h('aside', { class: 'panel', 'aria-label': 'Controls and readouts' }, ...Object.values(panels)),
+    ),
     statusLine(app),
     help,
     paste,
@@ -64,13 +74,22 @@ export function page(app: App, root: HTMLElement): Page {
 function sideSwitch(app: App): HTMLElement {
   const buttons = sides.map((side) => {
     const number = h('span', { 'data-readout': 'negative-short' });
-    const element = h('button', { type: 'button', onclick: () => app.state.set({ shown: side }) }, h('b', {}, side.toUpperCase()), ' ', number);
+    const element = h(
+      'button',
+      { type: 'button', onclick: () => app.state.set({ shown: side }) },
+      h('b', {}, side.toUpperCase()),
+      ' ',
+      number,
+    );
     app.results.watch(
       (results) => [results[side].weights],
       (weights) => {
         const known = weights !== null && typeof weights !== 'string';
         put(number, known ? count(weights.negativeOrdered) : '–', known ? weights.negativeOrdered : null);
-        element.setAttribute('aria-label', `Side ${side.toUpperCase()}, ${known ? weights.negativeOrdered : 'unknown number of'} negative weights`);
+        element.setAttribute(
+          'aria-label',
+          `Side ${side.toUpperCase()}, ${known ? weights.negativeOrdered : 'unknown number of'} negative weights`,
+        );
       },
     );
     app.state.watch(

@@ -31,9 +31,19 @@ export function parameterControls(app: App, side: Side): HTMLElement {
     const set = (value: number | string) => app.setParameter(side, id, value);
     const hintElement = hint ? h('span', { class: 'hint' }, hint) : null;
     const rowOf = (...controls: HTMLElement[]) =>
-      h('div', { class: 'parameter', 'data-parameter': id }, h('span', { class: 'parameter-name', 'aria-hidden': 'true' }, label), ...controls, hintElement);
+      h(
+        'div',
+        { class: 'parameter', 'data-parameter': id },
+        h('span', { class: 'parameter-name', 'aria-hidden': 'true' }, label),
+        ...controls,
+        hintElement,
+      );
     if (parameter.kind === 'choice') {
-      const choice = menu(name, parameter.choices.map((value) => [value, words(value)] as const), set);
+      const choice = menu(
+        name,
+        parameter.choices.map((value) => [value, words(value)] as const),
+        set,
+      );
       setters[id] = (value) => {
         choice.value = String(value);
       };

@@ -9,7 +9,10 @@ const [shortest, longest] = [1e-3, 1e2];
 
 /** Implicit smoothing on both sides in step. */
 export function smoothPanel(app: App): HTMLElement {
-  const play = button('Play', () => (app.results.get().playing ? app.pause() : void app.play()), { class: 'primary', 'data-action': 'play' });
+  const play = button('Play', () => (app.results.get().playing ? app.pause() : void app.play()), {
+    class: 'primary',
+    'data-action': 'play',
+  });
   const step = button('Step', () => void app.step(), { 'data-action': 'step' });
   const reset = button('Reset', () => void app.reset(), { 'data-action': 'reset' });
   const setTime = (timeH2: number) => app.setSmooth({ timeH2 });
@@ -20,9 +23,18 @@ export function smoothPanel(app: App): HTMLElement {
     step: 0.05,
     onInput: (exponent) => setTime(Number((10 ** exponent).toPrecision(3))),
   });
-  const field = numberField({ label: 'Time step in mean squared edge lengths, value', min: 1e-9, max: 1e9, onChange: setTime });
+  const field = numberField({
+    label: 'Time step in mean squared edge lengths, value',
+    min: 1e-9,
+    max: 1e9,
+    onChange: setTime,
+  });
   field.element.dataset.field = 'time';
-  const rebuild = h('input', { type: 'checkbox', 'data-field': 'rebuild', onchange: () => app.setSmooth({ rebuild: rebuild.checked }) });
+  const rebuild = h('input', {
+    type: 'checkbox',
+    'data-field': 'rebuild',
+    onchange: () => app.setSmooth({ rebuild: rebuild.checked }),
+  });
   const readouts = sideTable('Surfaces', [
     { id: 'step', name: 'step' },
     { id: 'mean-non-planarity', name: 'mean non-planarity' },
@@ -37,9 +49,20 @@ export function smoothPanel(app: App): HTMLElement {
       'section',
       {},
       h('h2', {}, 'Implicit smoothing'),
-      h('p', { class: 'equation' }, h('span', {}, '(', h('i', {}, 'M'), ' + ', h('i', {}, 't S'), ') ', h('i', {}, 'x'), '′ = ', h('i', {}, 'M x'))),
+      h(
+        'p',
+        { class: 'equation' },
+        h('span', {}, '(', h('i', {}, 'M'), ' + ', h('i', {}, 't S'), ') ', h('i', {}, 'x'), '′ = ', h('i', {}, 'M x')),
+      ),
       h('div', { class: 'buttons' }, play, step, reset),
-      h('div', { class: 'parameter' }, h('span', { class: 'parameter-name', 'aria-hidden': 'true' }, h('i', {}, 't')), track.element, field.element, h('span', { class: 'unit' }, h('i', {}, 'h'), '²')),
+      h(
+        'div',
+        { class: 'parameter' },
+        h('span', { class: 'parameter-name', 'aria-hidden': 'true' }, h('i', {}, 't')),
+        track.element,
+        field.element,
+        h('span', { class: 'unit' }, h('i', {}, 'h'), '²'),
+      ),
       h('label', { class: 'check' }, rebuild, 'Rebuild the operator each step'),
     ),
     h('section', {}, h('h2', {}, 'Surfaces'), readouts.element, whyNoVolume),
@@ -68,7 +91,10 @@ export function smoothPanel(app: App): HTMLElement {
         if (!shape) return;
         readouts.set('mean-non-planarity', side, { text: real(shape.meanNonPlanarity), value: shape.meanNonPlanarity });
         readouts.set('area', side, { text: real(shape.area, 5), value: shape.area });
-        readouts.set('volume', side, { text: shape.volume === null ? 'none' : real(shape.volume, 5), value: shape.volume });
+        readouts.set('volume', side, {
+          text: shape.volume === null ? 'none' : real(shape.volume, 5),
+          value: shape.volume,
+        });
         whyNoVolume.textContent = shape.volume === null ? `No volume: ${shape.noVolume}` : '';
       },
     );

@@ -32,12 +32,38 @@ export function statusLine(app: App): HTMLElement {
 
 function legend(app: App): HTMLElement {
   const dashes = h('span', { class: 'legend-dashes', 'aria-hidden': 'true' });
+  const negative = h('input', {
+    type: 'checkbox',
+    'data-field': 'negative-shown',
+    onchange: () => {
+      const { task, negativeShown } = app.state.get();
+      app.state.set({ negativeShown: { ...negativeShown, [task]: negative.checked } });
+    },
+  });
+  app.state.watch(
+    (state) => [state.negativeShown[state.task]],
+    (shown) => {
+      negative.checked = shown;
+    },
+  );
   const low = h('output', { 'data-readout': 'range-min' });
   const high = h('output', { 'data-readout': 'range-max' });
   const ramp = h('canvas', { width: 256, height: 1, class: 'ramp', 'aria-hidden': 'true' });
   ramp.getContext('2d')?.putImageData(new ImageData(new Uint8ClampedArray(viridis()), 256, 1), 0, 0);
-  const values = h('span', { class: 'legend-values', role: 'group', 'aria-label': 'Colours of A and B' }, low, ramp, high, h('span', { class: 'legend-outside' }, '× outside'));
-  const element = h('div', { class: 'legend', 'aria-label': 'Legend', role: 'group' }, values, h('span', { class: 'legend-negative' }, dashes, 'negative weight'));
+  const values = h(
+    'span',
+    { class: 'legend-values', role: 'group', 'aria-label': 'Colours of A and B' },
+    low,
+    ramp,
+    high,
+    h('span', { class: 'legend-outside' }, '× outside'),
+  );
+  const element = h(
+    'div',
+    { class: 'legend', 'aria-label': 'Legend', role: 'group' },
+    values,
+    h('label', { class: 'legend-negative' }, negative, dashes, 'negative weight'),
+  );
   const show = () => {
     const range = sharedRange(app.results.get());
     const coloured = app.state.get().task === 'harmonic' && range !== null;

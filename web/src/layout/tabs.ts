@@ -11,7 +11,18 @@ export interface Tab<T extends string> {
 export function tabs<T extends string>(name: string, entries: readonly Tab<T>[], onPick: (id: T) => void) {
   const buttons = entries.map(({ id, label, panel }) => {
     panel.id ||= newId('panel');
-    const tab = h('button', { type: 'button', role: 'tab', id: newId('tab'), 'aria-controls': panel.id, 'data-tab': id, onclick: () => onPick(id) }, label);
+    const tab = h(
+      'button',
+      {
+        type: 'button',
+        role: 'tab',
+        id: newId('tab'),
+        'aria-controls': panel.id,
+        'data-tab': id,
+        onclick: () => onPick(id),
+      },
+      label,
+    );
     panel.setAttribute('role', 'tabpanel');
     panel.setAttribute('aria-labelledby', tab.id);
     return tab;

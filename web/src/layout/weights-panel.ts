@@ -1,8 +1,8 @@
 import { type App, rowLimit } from '../app.js';
 import { h } from '../dom.js';
 import { count, plural, weight } from '../format.js';
+import type { operators, Side } from '../polylap.js';
 import { sparseRow } from '../sparse-row.js';
-import { operators, type Side } from '../polylap.js';
 import { operatorOf, sides } from '../state.js';
 import { sideTable } from './table.js';
 import { vertexField } from './vertex-field.js';
@@ -34,7 +34,13 @@ export function weightsPanel(app: App): HTMLElement {
     { class: 'panel-body' },
     h('section', {}, h('h2', {}, 'Weights ', h('i', {}, 'w'), h('sub', {}, 'ij')), extremes.element, lines),
     h('section', {}, vertexField(app), row),
-    h('section', {}, h('h2', {}, 'Promised by the operator'), claims.element, h('p', { class: 'note' }, 'planar: where faces are planar; triangles: on triangle meshes.')),
+    h(
+      'section',
+      {},
+      h('h2', {}, 'Promised by the operator'),
+      claims.element,
+      h('p', { class: 'note' }, 'planar: where faces are planar; triangles: on triangle meshes.'),
+    ),
   );
 
   for (const side of sides) {
@@ -44,7 +50,11 @@ export function weightsPanel(app: App): HTMLElement {
         const known = weights !== null && typeof weights !== 'string';
         for (const id of ['smallest', 'largest'] as const) {
           const value = known ? weights[id] : null;
-          extremes.set(id, side, { text: value === null ? '–' : weight(value), value, class: value !== null && value < 0 ? 'negative' : '' });
+          extremes.set(id, side, {
+            text: value === null ? '–' : weight(value),
+            value,
+            class: value !== null && value < 0 ? 'negative' : '',
+          });
         }
       },
     );
@@ -52,7 +62,8 @@ export function weightsPanel(app: App): HTMLElement {
       (state) => [state.sides[side].operator],
       () => {
         const promised = operatorOf(app.state.get().sides[side]).claims;
-        for (const id of Object.keys(claimNames) as (keyof typeof claimNames)[]) claims.set(id, side, { text: promised[id] });
+        for (const id of Object.keys(claimNames) as (keyof typeof claimNames)[])
+          claims.set(id, side, { text: promised[id] });
       },
     );
   }
@@ -70,11 +81,15 @@ export function weightsPanel(app: App): HTMLElement {
     const { selected } = app.state.get();
     const { mesh } = app.results.get();
     if (selected === null) {
-      row.replaceChildren(h('p', { class: 'note' }, 'Click a vertex, or walk with [ and ], to read its row of weights.'));
+      row.replaceChildren(
+        h('p', { class: 'note' }, 'Click a vertex, or walk with [ and ], to read its row of weights.'),
+      );
       return;
     }
     if (mesh && mesh.vertices > rowLimit) {
-      row.replaceChildren(h('p', { class: 'note' }, `Rows are read on meshes of up to ${plural(rowLimit, 'vertex', 'vertices')}.`));
+      row.replaceChildren(
+        h('p', { class: 'note' }, `Rows are read on meshes of up to ${plural(rowLimit, 'vertex', 'vertices')}.`),
+      );
       return;
     }
     row.replaceChildren(rowTable(app, selected));
@@ -89,11 +104,17 @@ function rowTable(app: App, vertex: number): HTMLElement {
   const rows = Object.fromEntries(
     sides.map((side) => {
       const { matrices } = results[side];
-      return [side, matrices && typeof matrices !== 'string' ? sparseRow(matrices.stiffness, vertex) : new Map<number, number>()];
+      return [
+        side,
+        matrices && typeof matrices !== 'string' ? sparseRow(matrices.stiffness, vertex) : new Map<number, number>(),
+      ];
     }),
   ) as Record<Side, Map<number, number>>;
-  const neighbours = [...new Set([...rows.a.keys(), ...rows.b.keys()])].filter((j) => j !== vertex).sort((p, q) => p - q);
-  const cell = (side: Side, value: number) => h('td', { class: value < 0 ? 'negative' : '', 'data-of': side, 'data-value': value }, weight(value));
+  const neighbours = [...new Set([...rows.a.keys(), ...rows.b.keys()])]
+    .filter((j) => j !== vertex)
+    .sort((p, q) => p - q);
+  const cell = (side: Side, value: number) =>
+    h('td', { class: value < 0 ? 'negative' : '', 'data-of': side, 'data-value': value }, weight(value));
   const line = (name: string | HTMLElement, value: (side: Side) => number) =>
     h('tr', {}, h('th', { scope: 'row' }, name), ...sides.map((side) => cell(side, value(side))));
   const index = (letter: string, below: string) => h('span', {}, h('i', {}, letter), h('sub', {}, below));
@@ -102,7 +123,16 @@ function rowTable(app: App, vertex: number): HTMLElement {
     'table',
     { class: 'readouts', 'data-row': vertex },
     h('caption', { class: 'unseen' }, `Weights of vertex ${vertex}`),
-    h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, h('i', {}, 'j')), ...sides.map((side) => h('th', { scope: 'col' }, index('w', 'ij'), ` ${side.toUpperCase()}`)))),
+    h(
+      'thead',
+      {},
+      h(
+        'tr',
+        {},
+        h('th', { scope: 'col' }, h('i', {}, 'j')),
+        ...sides.map((side) => h('th', { scope: 'col' }, index('w', 'ij'), ` ${side.toUpperCase()}`)),
+      ),
+    ),
     h(
       'tbody',
       {},
@@ -110,6 +140,10 @@ function rowTable(app: App, vertex: number): HTMLElement {
       ...neighbours.slice(0, rowsShown).map((j) => line(String(j), (side) => 0 - (rows[side].get(j) ?? 0))),
       hiddenRows > 0 ? h('tr', {}, h('td', { colspan: 3 }, `and ${count(hiddenRows)} more`)) : null,
     ),
-    h('tfoot', {}, line(index('S', 'ii'), (side) => rows[side].get(vertex) ?? 0)),
+    h(
+      'tfoot',
+      {},
+      line(index('S', 'ii'), (side) => rows[side].get(vertex) ?? 0),
+    ),
   );
 }

@@ -1,7 +1,15 @@
 import { Vector3 } from 'three';
 import type { Colours } from './surface.js';
 
-const names = { lit: '--mesh-lit', shade: '--mesh-shade', edge: '--mesh-edge', negative: '--negative', ink: '--ink', card: '--card', accent: '--accent' };
+const names = {
+  lit: '--mesh-lit',
+  shade: '--mesh-shade',
+  edge: '--mesh-edge',
+  negative: '--negative',
+  ink: '--ink',
+  card: '--card',
+  accent: '--accent',
+};
 
 /** The style sheet's colours as the screen shows them (sRGB, 0 … 1): light, dark and forced colours come from there alone. */
 export function readColours(within: HTMLElement): Colours {
@@ -14,7 +22,9 @@ export function readColours(within: HTMLElement): Colours {
     const [r = 0, g = 0, b = 0] = (getComputedStyle(probe).color.match(/[\d.]+/g) ?? []).map(Number);
     return new Vector3(r, g, b).divideScalar(255);
   };
-  const colours = Object.fromEntries(Object.entries(names).map(([name, property]) => [name, read(property)])) as Colours;
+  const colours = Object.fromEntries(
+    Object.entries(names).map(([name, property]) => [name, read(property)]),
+  ) as Colours;
   probe.remove();
   return colours;
 }

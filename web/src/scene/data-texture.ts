@@ -43,7 +43,9 @@ export class ScalarTexture {
 
   update(values: Float64Array | null): void {
     if (values === null) this.data.fill(noValue);
-    else for (let i = 0; i < values.length; i++) this.data[i] = Number.isFinite(values[i]) ? (values[i] as number) : noValue;
+    else
+      for (let i = 0; i < values.length; i++)
+        this.data[i] = Number.isFinite(values[i]) ? (values[i] as number) : noValue;
     this.texture.needsUpdate = true;
   }
 }
@@ -64,7 +66,12 @@ export function triangleTexture(triangles: Int32Array, edges: Uint8Array, faces:
 }
 
 /** Unit vector areas of the polygons: one normal for all triangles of a face. */
-export function faceNormals(positions: Float32Array, offsets: Int32Array, corners: Int32Array, normals: Float32Array): void {
+export function faceNormals(
+  positions: Float32Array,
+  offsets: Int32Array,
+  corners: Int32Array,
+  normals: Float32Array,
+): void {
   for (let f = 0; f + 1 < offsets.length; f++) {
     const first = offsets[f] as number;
     const last = offsets[f + 1] as number;

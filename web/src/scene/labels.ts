@@ -1,4 +1,4 @@
-import { type Camera, Vector3 } from 'three';
+import type { Camera, Vector3 } from 'three';
 import { h } from '../dom.js';
 import { exact } from '../format.js';
 import type { Pin } from '../state.js';
@@ -26,7 +26,15 @@ export class Labels {
     });
   }
 
-  place(camera: Camera, points: Float32Array, triangles: Int32Array, toWorld: (vertex: number) => Vector3, toModel: (world: Vector3) => Vector3, width: number, height: number): void {
+  place(
+    camera: Camera,
+    points: Float32Array,
+    triangles: Int32Array,
+    toWorld: (vertex: number) => Vector3,
+    toModel: (world: Vector3) => Vector3,
+    width: number,
+    height: number,
+  ): void {
     if (this.shown.length === 0) return;
     const eye = toModel(camera.position.clone());
     const testable = (this.shown.length * triangles.length) / 3 <= testLimit;
@@ -39,7 +47,9 @@ export class Labels {
       const x = ((screen.x + 1) / 2) * width + 9;
       const y = ((1 - screen.y) / 2) * height - 22;
       const fits = x >= 0 && y >= 0 && x + wide <= width && y + 20 <= height && screen.z < 1;
-      const free = taken.every((other) => x + wide + 2 < other.x || other.x + other.width + 2 < x || Math.abs(y - other.y) > 20);
+      const free = taken.every(
+        (other) => x + wide + 2 < other.x || other.x + other.width + 2 < x || Math.abs(y - other.y) > 20,
+      );
       const seen = fits && free && !(testable && hidden(eye, pin.vertex, points, triangles));
       element.hidden = !seen;
       if (!seen) continue;

@@ -1,4 +1,14 @@
-import { BufferGeometry, DoubleSide, GLSL3, type Material, Mesh, ShaderMaterial, type Texture, Vector2, Vector3 } from 'three';
+import {
+  BufferGeometry,
+  DoubleSide,
+  GLSL3,
+  type Material,
+  Mesh,
+  ShaderMaterial,
+  type Texture,
+  Vector2,
+  Vector3,
+} from 'three';
 import type { Geometry } from '../polylap.js';
 import { faceNormals, fetchTexel, noValue, ScalarTexture, VectorTexture } from './data-texture.js';
 
@@ -55,8 +65,8 @@ out vec4 colour;
 void main() {
   vec3 n = normalize(vNormal);
   if (dot(n, vEye) > 0.0) n = -n;
-  float light = 0.5 + 0.5 * dot(n, normalize(vec3(-0.35, 0.9, 0.45)));
-  vec3 surface = mix(shade, lit, smoothstep(0.0, 1.0, light));
+  float light = 0.5 + 0.5 * dot(n, normalize(vec3(-0.55, 0.75, 0.5)));
+  vec3 surface = mix(shade, lit, light * light);
   if (mapped && vKnown > 0.999) {
     float t = clamp((vValue - range.x) / (range.y - range.x), 0.0, 1.0);
     surface = texture(map, vec2((t * 255.0 + 0.5) / 256.0, 0.5)).rgb * mix(0.78, 1.0, light);
@@ -65,10 +75,10 @@ void main() {
   vec3 width = fwidth(vCorner);
   vec3 away = vCorner / max(width, vec3(1e-6));
   vec3 drawn = vec3(float(vEdges & 1), float(vEdges >> 1 & 1), float(vEdges >> 2 & 1));
-  vec3 near = drawn * (1.0 - smoothstep(0.15 * pixelRatio, 0.85 * pixelRatio + 0.35, away.zxy));
+  vec3 near = drawn * (1.0 - smoothstep(0.0, 1.0, away.zxy / pixelRatio));
   // Where triangles shrink to a few pixels edges fade, instead of painting everything dark.
-  float room = 1.0 - smoothstep(0.12, 0.45, max(width.x, max(width.y, width.z)) );
-  float line = max(near.x, max(near.y, near.z)) * mix(0.25, 1.0, room);
+  float room = 1.0 - smoothstep(0.12, 0.45, max(width.x, max(width.y, width.z)));
+  float line = max(near.x, max(near.y, near.z)) * mix(0.2, 1.0, room);
   colour = vec4(mix(surface, edge, line), 1.0);
 }`;
 

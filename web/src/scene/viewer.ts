@@ -31,6 +31,7 @@ export class Viewer {
   private geometry: Geometry | null = null;
   private triangles: Texture | null = null;
   private frame = 0;
+  private negativeShown = true;
   private framed = false;
   private framedAspect = 0;
 
@@ -96,9 +97,19 @@ export class Viewer {
     }
     if (weights && weights.segmentStarts.length > 0) {
       shown.lines = new DashedLines(weights);
+      shown.lines.object.visible = this.negativeShown;
       shown.scene.add(shown.lines.object);
       shown.lines.object.updateMatrixWorld(true);
       this.recolour();
+    }
+    this.request();
+  }
+
+  showNegative(visible: boolean): void {
+    this.negativeShown = visible;
+    for (const side of sides) {
+      const lines = this.shown?.[side].lines;
+      if (lines) lines.object.visible = visible;
     }
     this.request();
   }
@@ -125,7 +136,8 @@ export class Viewer {
       const shown = this.shown?.[side];
       if (!shown) continue;
       const take = (material: { uniforms: Record<string, { value: unknown }> }) => {
-        for (const [name, colour] of Object.entries(colours)) if (material.uniforms[name]) material.uniforms[name].value = colour;
+        for (const [name, colour] of Object.entries(colours))
+          if (material.uniforms[name]) material.uniforms[name].value = colour;
       };
       take(shown.surface.material);
       take(shown.markers.material);
@@ -145,7 +157,10 @@ export class Viewer {
     const world = this.toWorld(shown, vertex);
     const eye = this.toModel(shown, this.camera.camera.position.clone());
     const screen = world.project(this.camera.camera);
-    const visible = Math.abs(screen.x) <= 1 && Math.abs(screen.y) <= 1 && !hidden(eye, vertex, shown.surface.points, this.geometry.triangles);
+    const visible =
+      Math.abs(screen.x) <= 1 &&
+      Math.abs(screen.y) <= 1 &&
+      !hidden(eye, vertex, shown.surface.points, this.geometry.triangles);
     return { x: box.x + ((screen.x + 1) / 2) * box.width, y: box.y + ((1 - screen.y) / 2) * box.height, visible };
   }
 
@@ -165,7 +180,9 @@ export class Viewer {
       if (distance < within && (best === null || distance < best.distance)) best = { vertex, distance };
     };
     this.aim(box);
-    if (face >= 0) for (let c = offsets[face] as number; c < (offsets[face + 1] as number); c++) consider(corners[c] as number, Infinity);
+    if (face >= 0)
+      for (let c = offsets[face] as number; c < (offsets[face + 1] as number); c++)
+        consider(corners[c] as number, Infinity);
     else for (let vertex = 0; vertex < positions.length / 3; vertex++) consider(vertex, reach);
     return (best as { vertex: number } | null)?.vertex ?? null;
   }
@@ -220,16 +237,24 @@ export class Viewer {
   }
 
   private fit(): void {
-    const box = sides.map((side) => this.views[side].getBoundingClientRect()).find(({ width, height }) => width > 0 && height > 0);
+    const box = sides
+      .map((side) => this.views[side].getBoundingClientRect())
+      .find(({ width, height }) => width > 0 && height > 0);
     const shown = this.shown?.a;
     if (!box || !shown || !this.geometry) return;
     const aspect = box.width / box.height;
     if (Math.abs(aspect - this.framedAspect) < 1e-3) return;
     this.framedAspect = aspect;
-    const points = Array.from({ length: this.geometry.positions.length / 3 }, (_, vertex) => this.toWorld(shown, vertex));
+    const points = Array.from({ length: this.geometry.positions.length / 3 }, (_, vertex) =>
+      this.toWorld(shown, vertex),
+    );
     const flat = points.every((point) => Math.abs(point.y) < 1e-9) || points.every((point) => Math.abs(point.z) < 1e-9);
     const upright = points.some((point) => Math.abs(point.y) > 1e-9);
-    this.camera.frame(points, flat ? (upright ? new Vector3(0, 0, 1) : new Vector3(0, 1, 0.45)) : new Vector3(0.1, 0.72, 1), aspect);
+    this.camera.frame(
+      points,
+      flat ? (upright ? new Vector3(0, 0, 1) : new Vector3(0, 1, 0.45)) : new Vector3(0.12, 0.9, 1),
+      aspect,
+    );
     this.request();
   }
 
@@ -253,9 +278,11 @@ export class Viewer {
       if (box.width === 0 || box.height === 0) continue;
       const { scene, surface, lines, markers } = shown[side];
       this.aim(box);
-      const lengthPerPixel = (2 * this.camera.distance() * Math.tan((this.camera.camera.fov * Math.PI) / 360)) / box.height;
+      const lengthPerPixel =
+        (2 * this.camera.distance() * Math.tan((this.camera.camera.fov * Math.PI) / 360)) / box.height;
       lines?.fit(box.width, box.height, ratio, lengthPerPixel);
-      for (const { uniforms } of [surface.material, markers.material]) if (uniforms.pixelRatio) uniforms.pixelRatio.value = ratio;
+      for (const { uniforms } of [surface.material, markers.material])
+        if (uniforms.pixelRatio) uniforms.pixelRatio.value = ratio;
       const bottom = stage.bottom - box.bottom;
       renderer.setViewport(box.left - stage.left, bottom, box.width, box.height);
       renderer.setScissor(box.left - stage.left, bottom, box.width, box.height);
