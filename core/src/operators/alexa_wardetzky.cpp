@@ -101,7 +101,7 @@ constinit const OperatorInfo alexa_wardetzky_info{
     .id = "alexa-wardetzky",
     .label = "Alexa–Wardetzky",
     .formula_latex =
-        R"(S_f = \delta^{\mathsf T}\Bigl(\tfrac{1}{|a|}\,B B^{\mathsf T} + \lambda\, C C^{\mathsf T}\Bigr)\delta)",
+        R"(S_f = \delta^{\mathrm T}\Bigl(\tfrac{1}{|a|}\,B B^{\mathrm T} + \lambda\, C C^{\mathrm T}\Bigr)\delta)",
     .citation =
         "M. Alexa, M. Wardetzky: Discrete Laplacians on general polygonal meshes. ACM Trans. Graph. 30(4), 2011; "
         "Herholz 2012, eq. 4.29",
