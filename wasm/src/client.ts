@@ -18,8 +18,14 @@ import type {
   SmoothRunOptions,
 } from './types.js';
 
-/** What the client needs of a Worker. */
-export type WorkerLike = Pick<Worker, 'postMessage' | 'terminate' | 'onmessage' | 'onerror' | 'onmessageerror'>;
+/** What the client needs of a Worker; it sets the handlers. */
+export interface WorkerLike {
+  postMessage(message: unknown): void;
+  terminate(): void;
+  onmessage: ((event: never) => void) | null;
+  onerror: ((event: never) => void) | null;
+  onmessageerror: ((event: never) => void) | null;
+}
 
 export interface ClientOptions {
   /** Makes the worker that runs worker.ts; called again after a restart. */
@@ -291,8 +297,9 @@ class WorkerClient implements Client {
       const worker = this.#makeWorker();
       const ifCurrent = (work: () => void) => worker === this.#worker && work();
       this.#worker = worker;
-      worker.onmessage = ({ data }) => ifCurrent(() => this.#receive(data));
-      worker.onerror = (event) => ifCurrent(() => this.#onDeath(event.message || 'it could not be loaded or ended'));
+      worker.onmessage = ({ data }: { data: FromWorker }) => ifCurrent(() => this.#receive(data));
+      worker.onerror = (event: { message?: string }) =>
+        ifCurrent(() => this.#onDeath(event.message || 'it could not be loaded or ended'));
       worker.onmessageerror = () => ifCurrent(() => this.#onDeath('a message could not be read'));
     } catch (error) {
       queueMicrotask(() => this.#onDeath(messageOf(error)));

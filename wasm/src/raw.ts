@@ -37,6 +37,8 @@ export interface RawSession {
 
 export interface RawModule {
   Side: { a: RawSide; b: RawSide };
+  /** Another array after the memory has grown. */
+  HEAPU8: Uint8Array;
   open(bytes: Uint8Array, name: string, tick: Tick | undefined): Reply<RawSession>;
   makeTorus(nu: number, nv: number, major: number, minor: number, noise: number, seed: number): Reply<RawSession>;
   makeGrid(nx: number, ny: number, width: number, height: number, noise: number, seed: number): Reply<RawSession>;

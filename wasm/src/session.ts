@@ -58,7 +58,7 @@ function call<T>(work: (tick: Tick | undefined) => Reply<T>, onProgress?: SyncOp
   try {
     reply = work(tick);
   } catch (error) {
-    throw opaque(error);
+    throw error instanceof PolylapError ? error : opaque(error);
   }
   if (thrown) throw thrown.error;
   if (reply.error) {
@@ -125,6 +125,11 @@ export class Polylap {
     return call(() => this.#module.errorCodes());
   }
 
+  /** Bytes of WebAssembly memory. It grows when needed and never shrinks. */
+  memory(): number {
+    return this.#module.HEAPU8.length;
+  }
+
   #own(work: (tick: Tick | undefined) => Reply<RawSession>, onProgress?: SyncOptions['onProgress']): Session {
     return new Session(call(work, onProgress), this.#module.Side);
   }
@@ -132,12 +137,17 @@ export class Polylap {
 
 /** One mesh with two sides. Call `close` when done: C++ memory is not garbage collected. */
 export class Session {
-  readonly #raw: RawSession;
+  #handle: RawSession | undefined;
   readonly #sides: RawModule['Side'];
 
   constructor(raw: RawSession, sides: RawModule['Side']) {
-    this.#raw = raw;
+    this.#handle = raw;
     this.#sides = sides;
+  }
+
+  get #raw(): RawSession {
+    if (!this.#handle) throw badArgument('this mesh has been closed');
+    return this.#handle;
   }
 
   info(): MeshInfo {
@@ -204,7 +214,8 @@ export class Session {
   }
 
   close(): void {
-    this.#raw.delete();
+    this.#handle?.delete();
+    this.#handle = undefined;
   }
 
   #side(side: Side = 'a'): RawSide {
