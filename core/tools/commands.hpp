@@ -27,8 +27,11 @@ using Outputs = std::vector<Output>;
 // Each command reads its files and returns what is to be written; nothing is written before all of it is known.
 Result<Outputs> info(const std::string& mesh, bool json);
 Result<Outputs> operator_table(bool json);
-Result<Outputs> matrix(const std::string& mesh, const OperatorChoice& choice, const std::string& stiffness_path, const std::string& mass_path);
-Result<Outputs> smooth(const std::string& mesh, const OperatorChoice& choice, const SmoothChoice& options, const std::string& path);
-Result<Outputs> harmonic(const std::string& mesh, const OperatorChoice& choice, const std::string& fixed_path, const std::string& path);
+Result<Outputs> matrix(const std::string& mesh, const OperatorChoice& choice, const std::string& stiffness_path,
+                       const std::string& mass_path);
+Result<Outputs> smooth(const std::string& mesh, const OperatorChoice& choice, const SmoothChoice& options,
+                       const std::string& path);
+Result<Outputs> harmonic(const std::string& mesh, const OperatorChoice& choice, const std::string& fixed_path,
+                         const std::string& path);
 
 }  // namespace polylap::tool

@@ -34,7 +34,8 @@ std::string describe(const OperatorSpec& spec, const OperatorInfo& info) {
 
 }  // namespace
 
-Result<Outputs> matrix(const std::string& mesh, const OperatorChoice& choice, const std::string& stiffness_path, const std::string& mass_path) {
+Result<Outputs> matrix(const std::string& mesh, const OperatorChoice& choice, const std::string& stiffness_path,
+                       const std::string& mass_path) {
     auto session = open_with_operator(mesh, choice);
     if (!session) return session.error();
     const auto info = find_operator(choice.id);
@@ -42,22 +43,27 @@ Result<Outputs> matrix(const std::string& mesh, const OperatorChoice& choice, co
     const auto matrices = session->matrices(side);
     if (!matrices) return in_file(mesh, matrices.error());
     const std::string description = describe(session->spec(side), **info);
-    Outputs outputs{{stiffness_path, matrix_market((*matrices)->stiffness, (*info)->claims.symmetric == Claim::yes, "stiffness: " + description)}};
-    if (!mass_path.empty()) outputs.push_back({mass_path, matrix_market((*matrices)->mass, true, "mass: " + description)});
+    Outputs outputs{{stiffness_path, matrix_market((*matrices)->stiffness, (*info)->claims.symmetric == Claim::yes,
+                                                   "stiffness: " + description)}};
+    if (!mass_path.empty())
+        outputs.push_back({mass_path, matrix_market((*matrices)->mass, true, "mass: " + description)});
     return outputs;
 }
 
-Result<Outputs> smooth(const std::string& mesh, const OperatorChoice& choice, const SmoothChoice& options, const std::string& path) {
+Result<Outputs> smooth(const std::string& mesh, const OperatorChoice& choice, const SmoothChoice& options,
+                       const std::string& path) {
     auto session = open_with_operator(mesh, choice);
     if (!session) return session.error();
     const double h2 = session->shape(side).measures.mean_squared_edge;
     const double time = options.time ? *options.time : options.time_h2.value() * h2;
-    if (auto status = session->smooth(side, {.time = time, .steps = options.steps, .rebuild = !options.keep_operator}); !status)
+    if (auto status = session->smooth(side, {.time = time, .steps = options.steps, .rebuild = !options.keep_operator});
+        !status)
         return in_file(mesh, status.error());
     return Outputs{{path, write_obj(session->surface(side))}};
 }
 
-Result<Outputs> harmonic(const std::string& mesh, const OperatorChoice& choice, const std::string& fixed_path, const std::string& path) {
+Result<Outputs> harmonic(const std::string& mesh, const OperatorChoice& choice, const std::string& fixed_path,
+                         const std::string& path) {
     auto session = open_with_operator(mesh, choice);
     if (!session) return session.error();
     const auto text = read_file(fixed_path);

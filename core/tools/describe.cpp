@@ -52,15 +52,9 @@ std::string info_text(const ordered_json& facts) {
 
 ordered_json parameter_json(const Parameter& parameter) {
     const bool choice = parameter.kind == Parameter::Kind::choice;
-    ordered_json json{{"id", parameter.id},
-                      {"label", parameter.label},
-                      {"kind", choice ? "choice" : "real"},
-                      {"min", parameter.min},
-                      {"max", parameter.max},
-                      {"sliderMax", parameter.slider_max},
-                      {"step", parameter.step},
-                      {"initial", parameter.initial},
-                      {"hint", parameter.hint}};
+    ordered_json json{{"id", parameter.id},     {"label", parameter.label},     {"kind", choice ? "choice" : "real"},
+                      {"min", parameter.min},   {"max", parameter.max},         {"sliderMax", parameter.slider_max},
+                      {"step", parameter.step}, {"initial", parameter.initial}, {"hint", parameter.hint}};
     if (choice) json["choices"] = std::vector<std::string>(parameter.choices.begin(), parameter.choices.end());
     return json;
 }
@@ -84,7 +78,8 @@ ordered_json operator_json(const OperatorInfo& info) {
 }
 
 void append_operator_text(std::ostream& text, const OperatorInfo& info) {
-    text << info.id << "  " << info.label << "\n  " << info.summary << "\n  " << info.formula_latex << "\n  " << info.citation << '\n';
+    text << info.id << "  " << info.label << "\n  " << info.summary << "\n  " << info.formula_latex << "\n  "
+         << info.citation << '\n';
     for (const Parameter& parameter : info.parameters) {
         text << "  --set " << parameter.id << '=';
         if (parameter.kind == Parameter::Kind::choice) {
@@ -142,7 +137,8 @@ Result<Outputs> info(const std::string& path, bool json) {
     facts["meanSquaredEdge"] = shape.measures.mean_squared_edge;
     facts["issues"] = ordered_json::array();
     for (const MeshIssue& issue : find_issues(topology))
-        facts["issues"].push_back({{"kind", issue_name(issue.kind)}, {"count", issue.count}, {"message", issue.message}});
+        facts["issues"].push_back(
+            {{"kind", issue_name(issue.kind)}, {"count", issue.count}, {"message", issue.message}});
     return Outputs{{"-", json ? dump(facts) : info_text(facts)}};
 }
 

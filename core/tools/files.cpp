@@ -16,7 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 Error failure(const std::string& what, const std::string& path, int code) {
-    return {ErrorCode::bad_argument, what + " " + path + (code != 0 ? ": " + std::generic_category().message(code) : ""), -1, -1};
+    return {ErrorCode::bad_argument,
+            what + " " + path + (code != 0 ? ": " + std::generic_category().message(code) : ""), -1, -1};
 }
 
 /// A name beside `target` that nobody else uses.
@@ -24,7 +25,8 @@ fs::path temporary_beside(const fs::path& target) {
     std::random_device random;
     std::array<char, 32> suffix{};
     std::snprintf(suffix.data(), suffix.size(), ".%08x%08x.tmp", random(), random());
-    return target.parent_path() / ("." + target.filename().string() + suffix.data());
+    fs::path beside = target;
+    return beside.replace_filename('.' + target.filename().string() + suffix.data());
 }
 
 Status write_stream(std::ostream& stream, const std::string& text, const std::string& path) {

@@ -20,7 +20,8 @@ struct Output {
     std::string text;
 };
 
-/// Writes all outputs or none: beside each file first, then renames. What is no regular file (a pipe, a device) is written directly.
+/// Writes all outputs or none: beside each file first, then renames. What is no regular file (a pipe, a device) is
+/// written directly.
 Status write_outputs(std::span<const Output> outputs);
 
 /// 17 significant digits in any locale: reading them back gives the same double.
@@ -36,7 +37,8 @@ struct FixedValues {
 };
 
 /// Rows `vertex,value`; a header, blank lines and `#` comments are read past.
-/// @error parse_error (line; element = vertex): a row that is none, a vertex out of range or twice, a value that is no finite number, no rows
+/// @error parse_error (line; element = vertex): a row that is none, a vertex out of range or twice, a value that is no
+/// finite number, no rows
 Result<FixedValues> parse_fixed_values(std::string_view text, Index vertex_count);
 
 /// `vertex,value` rows for all vertices.

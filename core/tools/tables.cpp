@@ -21,7 +21,8 @@ bool parse(std::string_view text, T& value) {
 }
 
 bool is_title(std::string_view cell) {
-    return !cell.empty() && (cell[0] == '"' || (cell[0] >= 'A' && cell[0] <= 'Z') || (cell[0] >= 'a' && cell[0] <= 'z'));
+    return !cell.empty() &&
+           (cell[0] == '"' || (cell[0] >= 'A' && cell[0] <= 'Z') || (cell[0] >= 'a' && cell[0] <= 'z'));
 }
 
 void append_index(std::string& text, std::int64_t value) {
@@ -54,7 +55,8 @@ std::string matrix_market(const SparseMatrix& matrix, bool symmetric, std::strin
     std::string text = "%%MatrixMarket matrix coordinate real ";
     text += symmetric ? "symmetric\n% " : "general\n% ";
     text += comment;
-    text += '\n' + std::to_string(matrix.rows()) + ' ' + std::to_string(matrix.cols()) + ' ' + std::to_string(count) + '\n';
+    text +=
+        '\n' + std::to_string(matrix.rows()) + ' ' + std::to_string(matrix.cols()) + ' ' + std::to_string(count) + '\n';
     return text + entries;
 }
 
@@ -81,16 +83,18 @@ Result<FixedValues> parse_fixed_values(std::string_view text, Index vertex_count
 
         std::int64_t vertex = 0;
         double value = 0;
-        if (comma == std::string_view::npos || !parse(first, vertex)) return fail("expected a row 'vertex,value' with a whole number first");
+        if (comma == std::string_view::npos || !parse(first, vertex))
+            return fail("expected a row 'vertex,value' with a whole number first");
         if (vertex < 0 || vertex >= vertex_count)
-            return fail("there is no vertex " + std::to_string(vertex) + "; the mesh has " + std::to_string(vertex_count) +
-                            " vertices, counted from 0",
+            return fail("there is no vertex " + std::to_string(vertex) + "; the mesh has " +
+                            std::to_string(vertex_count) + " vertices, counted from 0",
                         vertex);
         if (!parse(second, value) || !std::isfinite(value))
             return fail("the value of vertex " + std::to_string(vertex) + " is no finite number", vertex);
         std::int64_t& before = line_of[static_cast<std::size_t>(vertex)];
         if (before != 0)
-            return fail("vertex " + std::to_string(vertex) + " has a value already, in line " + std::to_string(before), vertex);
+            return fail("vertex " + std::to_string(vertex) + " has a value already, in line " + std::to_string(before),
+                        vertex);
         before = line;
         fixed.vertices.push_back(static_cast<Index>(vertex));
         fixed.values.push_back(value);

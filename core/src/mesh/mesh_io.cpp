@@ -21,7 +21,8 @@ struct Stretch {
     }
 };
 
-/// Appends as printf's %.17g does in the C locale: reading it back gives the same double, and a German locale writes no comma.
+/// Appends as printf's %.17g does in the C locale: reading it back gives the same double, and a German locale writes no
+/// comma.
 void append_double(std::string& text, double value) {
     char digits[32];
 #ifdef __cpp_lib_to_chars
@@ -56,7 +57,8 @@ Result<PolygonMesh> read_obj(std::span<const std::byte> bytes, Monitor monitor) 
 std::string write_obj(const PolygonMesh& mesh) {
     constexpr std::size_t vertex_bytes = 64, corner_bytes = 8;  // usual lengths
     std::string text;
-    text.reserve(static_cast<std::size_t>(mesh.vertex_count()) * vertex_bytes + mesh.connectivity()->corners.size() * corner_bytes);
+    text.reserve(static_cast<std::size_t>(mesh.vertex_count()) * vertex_bytes +
+                 mesh.connectivity()->corners.size() * corner_bytes);
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
         text += 'v';
         for (const double coordinate : mesh.positions().row(v)) {

@@ -1,5 +1,5 @@
-// The strict half of the OBJ reader. tinyobjloader turns broken input into other meshes without a word: what it would misread is refused here,
-// with the line, before it sees anything.
+// The strict half of the OBJ reader. tinyobjloader turns broken input into other meshes without a word: what it would
+// misread is refused here, with the line, before it sees anything.
 #include "obj_check.hpp"
 
 #include <algorithm>
@@ -122,11 +122,13 @@ private:
             if (numbers < 3) script_.coordinates.push_back(value);
         }
         if (numbers < 3)
-            return fail(numbers == 0 ? "has no coordinates" : "has only " + std::to_string(numbers) + " of 3 coordinates");
+            return fail(numbers == 0 ? "has no coordinates"
+                                     : "has only " + std::to_string(numbers) + " of 3 coordinates");
         if (vertex == most) return fail("is one too many: a mesh holds at most " + std::to_string(most));
         scanner_.finish_statement();
-        // Only that there is a vertex: tinyobjloader's own number parser does not round correctly (two of three doubles written with 17 digits
-        // come back changed), overflows on long exponents, and would take three quarters of its time.
+        // Only that there is a vertex: tinyobjloader's own number parser does not round correctly (two of three doubles
+        // written with 17 digits come back changed), overflows on long exponents, and would take three quarters of its
+        // time.
         script_.statements.emplace_back("v \n");
         return std::nullopt;
     }
@@ -141,24 +143,31 @@ private:
         for (auto token = scanner_.next_token(); !token.empty(); token = scanner_.next_token()) {
             int index = 0;
             switch (parse_corner(token, index)) {
-                case Corner::good: break;
+                case Corner::good:
+                    break;
                 case Corner::malformed:
-                    return fail("has the corner " + quote(token) + ", which is none of v, v/vt, v//vn, v/vt/vn with whole numbers");
-                case Corner::zero: return fail("has the corner " + quote(token) + " with an index 0; indices in the file count from 1");
-                case Corner::too_large: return fail("has the corner " + quote(token) + " with an index out of range");
+                    return fail("has the corner " + quote(token) +
+                                ", which is none of v, v/vt, v//vn, v/vt/vn with whole numbers");
+                case Corner::zero:
+                    return fail("has the corner " + quote(token) +
+                                " with an index 0; indices in the file count from 1");
+                case Corner::too_large:
+                    return fail("has the corner " + quote(token) + " with an index out of range");
             }
             const std::int64_t vertex = index > 0 ? index - std::int64_t{1} : script_.vertices() + index;
             if (vertex < 0)
-                return fail("has the corner " + quote(token) + ", but only " + std::to_string(script_.vertices()) + " vertices stand before it");
+                return fail("has the corner " + quote(token) + ", but only " + std::to_string(script_.vertices()) +
+                            " vertices stand before it");
             highest = std::max(highest, vertex);
             corners_.push_back(static_cast<Index>(vertex));
         }
         if (corners_.size() < 3) return fail("has " + std::to_string(corners_.size()) + " corners, fewer than 3");
-        if (const auto twin = repeated(corners_, scratch_); twin >= 0) return fail("has vertex " + std::to_string(twin) + " twice");
+        if (const auto twin = repeated(corners_, scratch_); twin >= 0)
+            return fail("has vertex " + std::to_string(twin) + " twice");
         if (most - script_.corners < static_cast<std::int64_t>(corners_.size()))
             return fail("is one too many: a mesh holds at most " + std::to_string(most) + " corners");
-        // A face may come before its vertices, so its range can be checked at the end only. The first face beyond any count is one that reaches
-        // further than all faces before it.
+        // A face may come before its vertices, so its range can be checked at the end only. The first face beyond any
+        // count is one that reaches further than all faces before it.
         if (highest >= script_.vertices() && (reaches_.empty() || highest > reaches_.back().vertex))
             reaches_.push_back({highest, face, scanner_.line()});
         scanner_.finish_statement();
@@ -177,8 +186,10 @@ private:
         for (const Reach& reach : reaches_)
             if (reach.vertex >= vertices)
                 return at_line(reach.line, reach.face,
-                               "face " + std::to_string(reach.face) + " has the index " + std::to_string(reach.vertex + 1) +
-                                   " (counted from 1, as in the file), but the file has " + std::to_string(vertices) + " vertices");
+                               "face " + std::to_string(reach.face) + " has the index " +
+                                   std::to_string(reach.vertex + 1) +
+                                   " (counted from 1, as in the file), but the file has " + std::to_string(vertices) +
+                                   " vertices");
         return std::nullopt;
     }
 

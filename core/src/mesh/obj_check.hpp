@@ -11,15 +11,17 @@ namespace polylap::obj {
 
 /// An OBJ text that passed the strict check, and what the parser behind it needs.
 struct Script {
-    std::vector<double> coordinates;           ///< 3 a vertex, correctly rounded.
-    std::vector<std::string_view> statements;  ///< One after the other: the `f` lines, and a bare `v` for each vertex, in the file's order.
+    std::vector<double> coordinates;  ///< 3 a vertex, correctly rounded.
+    std::vector<std::string_view>
+        statements;  ///< One after the other: the `f` lines, and a bare `v` for each vertex, in the file's order.
     std::int64_t faces = 0;
     std::int64_t corners = 0;
 
     std::int64_t vertices() const { return static_cast<std::int64_t>(coordinates.size() / 3); }
 };
 
-/// Checks every `v` and `f` of a text. The statements of the script are pieces of `text`: comments, continuations and other lines are left out.
+/// Checks every `v` and `f` of a text. The statements of the script are pieces of `text`: comments, continuations and
+/// other lines are left out.
 /// @error parse_error (line; element = vertex or face), cancelled.   Throws std::bad_alloc
 Result<Script> check(std::string_view text, Monitor monitor);
 

@@ -3,7 +3,8 @@
 #include <istream>
 #include <streambuf>
 
-// Under a name of our own: a program that links polylap may have its own tinyobjloader, of another version or with float.
+// Under a name of our own: a program that links polylap may have its own tinyobjloader, of another version or with
+// float.
 #define tinyobj polylap_tinyobj
 #define TINYOBJLOADER_USE_DOUBLE
 #define TINYOBJLOADER_IMPLEMENTATION
@@ -15,7 +16,8 @@ namespace {
 /// Bytes between two looks at the monitor.
 constexpr std::size_t tick_bytes = 1 << 16;
 
-/// Hands out the pieces one after the other, without copying. Ends early when the monitor says so, which is how the parser is stopped.
+/// Hands out the pieces one after the other, without copying. Ends early when the monitor says so, which is how the
+/// parser is stopped.
 class PieceBuffer : public std::streambuf {
 public:
     PieceBuffer(const std::vector<std::string_view>& pieces, Monitor monitor) : pieces_(pieces), monitor_(monitor) {
@@ -89,9 +91,11 @@ Result<Faces> read_faces(const Script& script, Monitor monitor) {
 
     if (buffer.cancelled()) return Error{ErrorCode::cancelled, "reading was cancelled", -1, -1};
     const auto& [offsets, corners] = collector.faces;
-    if (!parsed || collector.vertices != script.vertices() || static_cast<std::int64_t>(offsets.size()) != script.faces + 1 ||
+    if (!parsed || collector.vertices != script.vertices() ||
+        static_cast<std::int64_t>(offsets.size()) != script.faces + 1 ||
         static_cast<std::int64_t>(corners.size()) != script.corners)
-        return Error{ErrorCode::parse_error, "the OBJ parser saw other vertices or faces than the check before it", -1, -1};
+        return Error{ErrorCode::parse_error, "the OBJ parser saw other vertices or faces than the check before it", -1,
+                     -1};
     return std::move(collector.faces);
 }
 

@@ -26,24 +26,12 @@ struct Start {
     std::string_view bytes, what;
 };
 constexpr Start starts[] = {
-    {"\xff\xfe", "UTF-16 text"},
-    {"\xfe\xff", "UTF-16 text"},
-    {"ply\n", "a PLY file"},
-    {"ply\r", "a PLY file"},
-    {"off\n", "an OFF file"},
-    {"off\r", "an OFF file"},
-    {"off ", "an OFF file"},
-    {"coff", "an OFF file"},
-    {"noff", "an OFF file"},
-    {"stoff", "an OFF file"},
-    {"solid", "an STL file"},
-    {"gltf", "a binary glTF file"},
-    {"kaydara fbx", "an FBX file"},
-    {"pk\x03\x04", "a ZIP archive"},
-    {"\x1f\x8b", "a gzip archive"},
-    {"%pdf", "a PDF document"},
-    {"\x89png", "a PNG image"},
-    {"\xff\xd8\xff", "a JPEG image"},
+    {"\xff\xfe", "UTF-16 text"},    {"\xfe\xff", "UTF-16 text"},     {"ply\n", "a PLY file"},
+    {"ply\r", "a PLY file"},        {"off\n", "an OFF file"},        {"off\r", "an OFF file"},
+    {"off ", "an OFF file"},        {"coff", "an OFF file"},         {"noff", "an OFF file"},
+    {"stoff", "an OFF file"},       {"solid", "an STL file"},        {"gltf", "a binary glTF file"},
+    {"kaydara fbx", "an FBX file"}, {"pk\x03\x04", "a ZIP archive"}, {"\x1f\x8b", "a gzip archive"},
+    {"%pdf", "a PDF document"},     {"\x89png", "a PNG image"},      {"\xff\xd8\xff", "a JPEG image"},
 };
 
 }  // namespace

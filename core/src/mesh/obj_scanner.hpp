@@ -6,7 +6,8 @@
 
 namespace polylap::obj {
 
-/// Cuts OBJ text into statements and tokens without copying it: joins `\` continuations, drops comments, knows the line.
+/// Cuts OBJ text into statements and tokens without copying it: joins `\` continuations, drops comments, knows the
+/// line.
 class Scanner {
 public:
     explicit Scanner(std::string_view text) : at_(text.data()), end_(text.data() + text.size()) {}

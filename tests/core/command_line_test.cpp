@@ -1,0 +1,487 @@
+// Runs the built command line as a shell does, and compares what it writes with the library.
+#include <gtest/gtest.h>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "polylap/mesh/mesh_io.hpp"
+#include "polylap/session.hpp"
+
+namespace polylap {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::string slurp(const fs::path& path) {
+    std::ifstream stream(path, std::ios::binary);
+    EXPECT_TRUE(stream) << path;
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void write(const fs::path& path, const std::string& text) {
+    std::ofstream(path, std::ios::binary) << text;
+}
+
+const std::string meshes = POLYLAP_TEST_DATA "/meshes/";
+const std::string grid = meshes + "grid-2x2.obj";
+const std::string torus = meshes + "quad-torus-32x16-noisy.obj";
+/// Corners of the 2×2 grid at 0, edge midpoints of its boundary at 1.
+const std::string rim = "0,0\n2,0\n6,0\n8,0\n1,1\n3,1\n5,1\n7,1\n";
+
+class CommandLine : public testing::Test {
+protected:
+    struct Ended {
+        int status;
+        std::string out, err;
+    };
+
+    CommandLine() {
+        std::string pattern = testing::TempDir() + "polylap-XXXXXX";
+        folder_ = mkdtemp(pattern.data());
+    }
+    ~CommandLine() override { fs::remove_all(folder_); }
+
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+    /// Runs in the scratch folder. `arguments` are shell words; `after` may redirect.
+    Ended run(const std::string& arguments, const std::string& after = "") const {
+        const fs::path out = folder_ / ".out", err = folder_ / ".err";
+        const std::string command =
+            "cd '" + folder_.string() + "' && '" POLYLAP_CLI "' " + arguments + " >.out 2>.err " + after;
+        const int status = std::system(command.c_str());
+        Ended ended{WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(out), slurp(err)};
+        fs::remove(out);
+        fs::remove(err);
+        return ended;
+    }
+
+    std::string succeed(const std::string& arguments, const std::string& after = "") const {
+        const Ended ended = run(arguments, after);
+        EXPECT_EQ(ended.status, 0) << arguments << '\n' << ended.err;
+        EXPECT_EQ(ended.err, "") << arguments;
+        return ended.out;
+    }
+
+    /// @return the line on standard error, without "polylap: " and line end
+    std::string fail(int status, const std::string& arguments, const std::string& after = "") const {
+        const Ended ended = run(arguments, after);
+        EXPECT_EQ(ended.status, status) << arguments;
+        EXPECT_EQ(ended.out, "") << arguments;
+        EXPECT_TRUE(ended.err.starts_with("polylap: ")) << arguments << '\n' << ended.err;
+        EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+        EXPECT_TRUE(ended.err.ends_with('\n')) << ended.err;
+        return ended.err.size() > 10 ? ended.err.substr(9, ended.err.size() - 10) : "";
+    }
+
+    std::vector<std::string> files() const {
+        std::vector<std::string> names;
+        for (const auto& entry : fs::directory_iterator(folder_))
+            names.push_back(entry.path().filename().string());
+        std::sort(names.begin(), names.end());
+        return names;
+    }
+
+    fs::path folder_;
+};
+
+PolygonMesh load(const std::string& path) {
+    const std::string text = slurp(path);
+    auto mesh = read_obj(std::as_bytes(std::span(text)));
+    EXPECT_TRUE(mesh.ok()) << mesh.error().message;
+    return *std::move(mesh);
+}
+
+OperatorSpec spec(const std::string& id, std::vector<std::pair<std::string, std::string>> settings = {}) {
+    auto made = make_spec(id, settings);
+    EXPECT_TRUE(made.ok()) << made.error().message;
+    return *std::move(made);
+}
+
+/// Reads `coordinate real` MatrixMarket; a symmetric one is filled up.
+SparseMatrix read_matrix_market(const std::string& text) {
+    std::istringstream lines(text);
+    std::string line;
+    std::getline(lines, line);
+    const bool symmetric = line == "%%MatrixMarket matrix coordinate real symmetric";
+    EXPECT_TRUE(symmetric || line == "%%MatrixMarket matrix coordinate real general") << line;
+    while (std::getline(lines, line) && line.starts_with('%')) {
+    }
+    Index rows = 0, columns = 0, count = 0;
+    std::istringstream(line) >> rows >> columns >> count;
+    std::vector<Eigen::Triplet<double>> entries;
+    for (Index k = 0; k < count; ++k) {
+        Index i = 0, j = 0;
+        std::string value;
+        EXPECT_TRUE(lines >> i >> j >> value);
+        entries.emplace_back(i - 1, j - 1, std::stod(value));
+        if (symmetric) {
+            EXPECT_GE(i, j);
+            if (i != j) entries.emplace_back(j - 1, i - 1, std::stod(value));
+        }
+    }
+    EXPECT_FALSE(lines >> line) << "more entries than announced";
+    SparseMatrix matrix(rows, columns);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    return matrix;
+}
+
+std::vector<double> read_values(const std::string& text) {
+    std::istringstream lines(text);
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_EQ(line, "vertex,value");
+    std::vector<double> values;
+    while (std::getline(lines, line)) {
+        const auto comma = line.find(',');
+        EXPECT_EQ(line.substr(0, comma), std::to_string(values.size()));
+        values.push_back(std::stod(line.substr(comma + 1)));
+    }
+    return values;
+}
+
+// info and operators
+
+TEST_F(CommandLine, InfoDescribesAnOpenMesh) {
+    const json facts = json::parse(succeed("info '" + grid + "' --json"));
+    EXPECT_EQ(facts["vertices"], 9);
+    EXPECT_EQ(facts["faces"], 4);
+    EXPECT_EQ(facts["edges"], 12);
+    EXPECT_EQ(facts["components"], 1);
+    EXPECT_EQ(facts["boundaryVertices"], 8);
+    EXPECT_EQ(facts["boundaryLoops"], 1);
+    EXPECT_EQ(facts["faceSizes"], (json{{"4", 4}}));
+    EXPECT_EQ(facts["area"], 1.0);
+    EXPECT_EQ(facts["volume"], nullptr);
+    EXPECT_NE(facts["noVolume"].get<std::string>().find("open"), std::string::npos);
+    EXPECT_EQ(facts["meanNonPlanarity"], 0.0);
+    EXPECT_EQ(facts["meanSquaredEdge"], 0.25);
+    EXPECT_EQ(facts["issues"], json::array());
+}
+
+TEST_F(CommandLine, InfoDescribesAClosedMesh) {
+    write(path("tetrahedron.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    const json facts = json::parse(succeed("info --json tetrahedron.obj"));
+    EXPECT_EQ(facts["boundaryLoops"], 0);
+    EXPECT_NEAR(facts["volume"], 1.0 / 6, 1e-15);
+    EXPECT_NEAR(facts["area"], 1.5 + std::sqrt(3.0) / 2, 1e-15);
+    EXPECT_FALSE(facts.contains("noVolume"));
+    const std::string text = succeed("info tetrahedron.obj");
+    for (const char* line : {"vertices              4\n", "faces                 4\n", "edges                 6\n",
+                             "boundary loops        0\n", "corners: faces        3: 4\n"})
+        EXPECT_NE(text.find(line), std::string::npos) << text;
+}
+
+TEST_F(CommandLine, InfoReportsIssuesAndReasons) {
+    // Three triangles at the edge 0-1, and vertex 5 in none.
+    write(path("fins.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nv 9 9 9\nf 1 2 3\nf 1 2 4\nf 1 2 5\n");
+    const json facts = json::parse(succeed("info --json fins.obj"));
+    EXPECT_EQ(facts["boundaryLoops"], nullptr);
+    EXPECT_NE(facts["noBoundaryLoops"].get<std::string>(), "");
+    std::vector<std::string> kinds;
+    for (const auto& issue : facts["issues"]) {
+        kinds.push_back(issue["kind"]);
+        EXPECT_EQ(issue["count"], 1);
+        EXPECT_NE(issue["message"], "");
+    }
+    EXPECT_NE(std::find(kinds.begin(), kinds.end(), "unreferenced-vertices"), kinds.end());
+    EXPECT_NE(std::find(kinds.begin(), kinds.end(), "non-manifold-edges"), kinds.end());
+    const std::string text = succeed("info fins.obj");
+    EXPECT_NE(text.find("boundary loops        none: " + facts["noBoundaryLoops"].get<std::string>()),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("issue                 "), std::string::npos) << text;
+}
+
+TEST_F(CommandLine, OperatorsListsTheWholeTable) {
+    const json table = json::parse(succeed("operators --json"));
+    ASSERT_EQ(table.size(), operators().size());
+    const std::string text = succeed("operators");
+    for (std::size_t k = 0; k < table.size(); ++k) {
+        const OperatorInfo& info = *operators()[k];
+        const json& row = table[k];
+        EXPECT_EQ(row["id"], info.id);
+        EXPECT_EQ(row["label"], info.label);
+        EXPECT_EQ(row["formula"], info.formula_latex);
+        EXPECT_EQ(row["citation"], info.citation);
+        EXPECT_EQ(row["summary"], info.summary);
+        EXPECT_EQ(row["claims"]["symmetric"], claim_name(info.claims.symmetric));
+        EXPECT_EQ(row["claims"]["positiveSemidefinite"], claim_name(info.claims.positive_semidefinite));
+        EXPECT_EQ(row["claims"]["constantsInKernel"], claim_name(info.claims.constants_in_kernel));
+        EXPECT_EQ(row["claims"]["linearPrecision"], claim_name(info.claims.linear_precision));
+        EXPECT_EQ(row["claims"]["positiveWeights"], claim_name(info.claims.positive_weights));
+        ASSERT_EQ(row["parameters"].size(), info.parameters.size());
+        for (std::size_t p = 0; p < info.parameters.size(); ++p) {
+            const Parameter& parameter = info.parameters[p];
+            const json& cell = row["parameters"][p];
+            EXPECT_EQ(cell["id"], parameter.id);
+            EXPECT_EQ(cell["label"], parameter.label);
+            EXPECT_EQ(cell["kind"], parameter.kind == Parameter::Kind::choice ? "choice" : "real");
+            EXPECT_EQ(cell["min"], parameter.min);
+            EXPECT_EQ(cell["max"], parameter.max);
+            EXPECT_EQ(cell["sliderMax"], parameter.slider_max);
+            EXPECT_EQ(cell["step"], parameter.step);
+            EXPECT_EQ(cell["initial"], parameter.initial);
+            EXPECT_EQ(cell["hint"], parameter.hint);
+            EXPECT_EQ(cell.value("choices", std::vector<std::string>{}),
+                      std::vector<std::string>(parameter.choices.begin(), parameter.choices.end()));
+            EXPECT_NE(text.find("--set " + std::string(parameter.id) + '='), std::string::npos);
+        }
+        EXPECT_NE(text.find(info.id), std::string::npos);
+        EXPECT_NE(text.find(info.citation), std::string::npos);
+    }
+}
+
+TEST_F(CommandLine, HelpAndVersion) {
+    EXPECT_TRUE(succeed("--version").starts_with("polylap "));
+    const std::string help = succeed("--help");
+    for (const char* command : {"info", "operators", "matrix", "smooth", "harmonic"}) {
+        EXPECT_NE(help.find(command), std::string::npos);
+        EXPECT_NE(succeed(std::string(command) + " --help").find("Usage: polylap " + std::string(command)),
+                  std::string::npos);
+    }
+}
+
+// matrix
+
+TEST_F(CommandLine, MatrixWritesTheLibrarysMatrices) {
+    const PolygonMesh mesh = load(torus);
+    for (const OperatorInfo* info : operators()) {
+        SCOPED_TRACE(info->id);
+        EXPECT_EQ(succeed("matrix '" + torus + "' --operator " + info->id + " -o S.mtx --mass-out M.mtx"), "");
+        const auto built = build_operator(mesh, {.id = info->id, .values = {}});
+        ASSERT_TRUE(built.ok());
+        const std::string text = slurp(path("S.mtx"));
+        EXPECT_EQ(text.find(" symmetric\n") != std::string::npos, info->claims.symmetric == Claim::yes);
+        const SparseMatrix stiffness = read_matrix_market(text), mass = read_matrix_market(slurp(path("M.mtx")));
+        ASSERT_EQ(stiffness.rows(), mesh.vertex_count());
+        ASSERT_EQ(stiffness.cols(), mesh.vertex_count());
+        // The lower triangle comes back to the bit; the upper one as symmetric as the matrix is.
+        const Matrix difference = Matrix(stiffness) - Matrix(built->stiffness);
+        EXPECT_EQ(difference.triangularView<Eigen::Lower>().toDenseMatrix().cwiseAbs().maxCoeff(), 0);
+        EXPECT_LE(difference.cwiseAbs().maxCoeff(), 1e-14 * Matrix(built->stiffness).cwiseAbs().maxCoeff());
+        EXPECT_EQ((Matrix(mass) - Matrix(built->mass)).cwiseAbs().maxCoeff(), 0);
+    }
+    EXPECT_EQ(files(), (std::vector<std::string>{"M.mtx", "S.mtx"}));
+}
+
+TEST_F(CommandLine, MatrixTakesParametersAndStandardOutput) {
+    // Unit square, λ: edge weights λ, diagonal weights ½ - λ.
+    write(path("square.obj"), "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+    const Matrix s = read_matrix_market(succeed("matrix --operator alexa-wardetzky --set lambda=0.75 -o - square.obj"));
+    EXPECT_NEAR(s(0, 1), -0.75, 1e-15);
+    EXPECT_NEAR(s(0, 2), 0.25, 1e-15);
+    EXPECT_NEAR(s(0, 0), 1.25, 1e-15);
+    const Matrix cut = read_matrix_market(succeed("matrix - --operator planar --set rule=fan -o -", "< square.obj"));
+    EXPECT_NEAR(cut(0, 1), -0.5, 1e-15);
+    EXPECT_EQ(files(), std::vector<std::string>{"square.obj"});
+}
+
+// smooth
+
+TEST_F(CommandLine, SmoothTakesTheSessionsSteps) {
+    const std::string bytes = slurp(torus);
+    for (const bool rebuild : {true, false}) {
+        auto session = Session::open(std::as_bytes(std::span(bytes)), "torus.obj");
+        ASSERT_TRUE(session.ok());
+        const auto side = Session::Side::a;
+        ASSERT_TRUE(session->set_operator(side, spec("alexa-wardetzky", {{"lambda", "0.5"}})).ok());
+        const double h2 = session->shape(side).measures.mean_squared_edge;
+        ASSERT_TRUE(session->smooth(side, {.time = 0.25 * h2, .steps = 3, .rebuild = rebuild}).ok());
+
+        const std::string flags = rebuild ? " -o out.obj" : " --keep-operator -o out.obj";
+        succeed("smooth '" + torus + "' --operator alexa-wardetzky --set lambda=0.5 --time-h2 0.25 --steps 3" + flags);
+        const PolygonMesh smoothed = load(path("out.obj"));
+        EXPECT_EQ(smoothed.connectivity()->corners, session->mesh().connectivity()->corners);
+        EXPECT_EQ(smoothed.positions(), session->surface(side).positions());
+        EXPECT_NE(smoothed.positions(), session->mesh().positions());
+
+        std::ostringstream time;
+        time.precision(17);
+        time << 0.25 * h2;
+        const std::string same = succeed("smooth '" + torus + "' --operator alexa-wardetzky --set lambda=0.5 --time " +
+                                         time.str() + " --steps 3 -o -" + (rebuild ? "" : " --keep-operator"));
+        EXPECT_EQ(same, slurp(path("out.obj")));
+    }
+}
+
+TEST_F(CommandLine, KeepingTheOperatorDiffersFromRebuildingIt) {
+    const std::string step = "smooth '" + torus + "' --operator planar --time 0.1 -o - --steps ";
+    EXPECT_EQ(succeed(step + "1"), succeed(step + "1 --keep-operator"));
+    EXPECT_NE(succeed(step + "2"), succeed(step + "2 --keep-operator"));
+    EXPECT_EQ(succeed(step + "1"), succeed("smooth '" + torus + "' --operator planar --time 0.1 -o -"))
+        << "one step unless told otherwise";
+}
+
+// harmonic
+
+TEST_F(CommandLine, HarmonicInterpolatesTheCentreOfTheGrid) {
+    write(path("rim.csv"), rim);
+    const std::vector<std::pair<std::string, double>> expected = {{"alexa-wardetzky", 4.0 / 3},
+                                                                  {"alexa-wardetzky --set lambda=0.5", 1},
+                                                                  {"alexa-wardetzky --set lambda=2", 1.6},
+                                                                  {"planar", 1}};
+    for (const auto& [choice, centre] : expected) {
+        SCOPED_TRACE(choice);
+        succeed("harmonic '" + grid + "' --operator " + choice + " --fix rim.csv -o values.csv");
+        const auto values = read_values(slurp(path("values.csv")));
+        ASSERT_EQ(values.size(), 9u);
+        EXPECT_NEAR(values[4], centre, 1e-14);
+        for (const std::size_t corner : {0, 2, 6, 8})
+            EXPECT_EQ(values[corner], 0);
+        for (const std::size_t middle : {1, 3, 5, 7})
+            EXPECT_EQ(values[middle], 1);
+    }
+}
+
+TEST_F(CommandLine, HarmonicReadsTidyAndUntidyRows) {
+    write(path("rim.csv"), rim);
+    write(path("untidy.csv"),
+          "\xEF\xBB\xBF# made by hand\r\n\r\n \"Vertex\" , \"Value\"\r\n0,0\r\n 2 ,\t0 # "
+          "corner\r\n6,0e5\r\n#7,9\r\n8,-0\r\n1,1\n3,1.0\n5,.1e1\n7,1");
+    const std::string arguments = "harmonic '" + grid + "' --operator planar -o - --fix ";
+    const auto tidy = read_values(succeed(arguments + "rim.csv")),
+               untidy = read_values(succeed(arguments + "untidy.csv"));
+    EXPECT_EQ(tidy, untidy);
+    EXPECT_EQ(read_values(succeed(arguments + "-", "< rim.csv")), tidy);
+}
+
+TEST_F(CommandLine, HarmonicGivesNanAtVerticesInNoFace) {
+    write(path("loose.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 9 9 9\nf 1 2 3\n");
+    write(path("fix.csv"), "0,2\n1,2\n");
+    EXPECT_NE(succeed("harmonic loose.obj --operator planar --fix fix.csv -o -").find("\n3,nan\n"), std::string::npos);
+}
+
+TEST_F(CommandLine, HarmonicRefusesBadRowsByLine) {
+    const std::vector<std::pair<std::string, std::string>> rows = {
+        {"0,0\n\nx,1\n", "line 3: expected a row 'vertex,value'"},
+        {"0,0\n1\n", "line 2: expected a row 'vertex,value'"},
+        {"0 0\n", "line 1: expected a row 'vertex,value'"},
+        {"0.5,0\n", "line 1: expected a row 'vertex,value'"},
+        {"vertex,value\nvertex,value\n0,1\n", "line 2: expected a row 'vertex,value'"},
+        {"0,0\n9,1\n", "line 2: there is no vertex 9; the mesh has 9 vertices"},
+        {"-1,0\n", "line 1: there is no vertex -1"},
+        {"99999999999,0\n", "line 1: there is no vertex 99999999999"},
+        {"0,abc\n", "line 1: the value of vertex 0 is no finite number"},
+        {"0,nan\n", "line 1: the value of vertex 0 is no finite number"},
+        {"0,1e999\n", "line 1: the value of vertex 0 is no finite number"},
+        {"0,1,2\n", "line 1: the value of vertex 0 is no finite number"},
+        {"0,\n", "line 1: the value of vertex 0 is no finite number"},
+        {"0,1\n# again\n0,1\n", "line 3: vertex 0 has a value already, in line 1"},
+        {"# nothing\n", "no rows 'vertex,value'"},
+    };
+    for (const auto& [text, message] : rows) {
+        write(path("fix.csv"), text);
+        EXPECT_TRUE(fail(1, "harmonic '" + grid + "' --operator planar --fix fix.csv -o out.csv")
+                        .starts_with("fix.csv: " + message))
+            << text;
+        EXPECT_EQ(files(), std::vector<std::string>{"fix.csv"});
+    }
+}
+
+// What goes wrong
+
+TEST_F(CommandLine, UsageErrorsEndWithTwo) {
+    const std::string mesh = "'" + grid + "' ";
+    for (const std::string& arguments :
+         std::vector<std::string>{"",
+                                  "bogus",
+                                  "info",
+                                  "info " + mesh + "extra",
+                                  "info --nope " + mesh,
+                                  "operators extra",
+                                  "matrix " + mesh,
+                                  "matrix " + mesh + "--operator planar",
+                                  "matrix " + mesh + "-o S.mtx",
+                                  "matrix " + mesh + "--operator planar -o S.mtx --set lambda",
+                                  "matrix " + mesh + "--operator planar -o S.mtx --set =1",
+                                  "matrix " + mesh + "--operator planar -o S.mtx --mass-out S.mtx",
+                                  "smooth " + mesh + "--operator planar -o o.obj",
+                                  "smooth " + mesh + "--operator planar -o o.obj --time 1 --time-h2 1",
+                                  "smooth " + mesh + "--operator planar -o o.obj --time abc",
+                                  "smooth " + mesh + "--operator planar -o o.obj --time -1",
+                                  "smooth " + mesh + "--operator planar -o o.obj --time 0",
+                                  "smooth " + mesh + "--operator planar -o o.obj --time nan",
+                                  "smooth " + mesh + "--operator planar -o o.obj --time inf",
+                                  "smooth " + mesh + "--operator planar -o o.obj --time-h2 -2",
+                                  "smooth " + mesh + "--operator planar -o o.obj --time 1 --steps 0",
+                                  "smooth " + mesh + "--operator planar -o o.obj --time 1 --steps 1.5",
+                                  "harmonic " + mesh + "--operator planar -o o.csv",
+                                  "harmonic " + mesh + "--operator planar --fix f.csv"})
+        EXPECT_NE(fail(2, arguments), "");
+    EXPECT_EQ(files(), std::vector<std::string>{});
+}
+
+TEST_F(CommandLine, FailuresEndWithOneAndWriteNothing) {
+    write(path("bad.obj"), "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\nf 1 2\n");
+    write(path("flat.obj"), "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 4\nf 1 2 3\n");
+    write(path("parts.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 5 1 0\nf 1 2 3\nf 4 5 6\n");
+    write(path("mesh.xyz"), "");
+    write(path("fix.csv"), "0,1\n");
+    write(path("old.txt"), "kept");
+    const auto before = files();
+    const std::string mesh = "'" + grid + "' ";
+    const std::vector<std::pair<std::string, std::string>> cases = {
+        {"info none.obj", "cannot read none.obj: "},
+        {"info .", "cannot read .: "},
+        {"info mesh.xyz", "mesh.xyz: "},
+        {"info bad.obj", "bad.obj: line 5: face 1 has 2 corners, fewer than 3"},
+        {"matrix bad.obj --operator planar -o old.txt", "bad.obj: line 5: "},
+        {"matrix " + mesh + "--operator nope -o old.txt", "there is no operator 'nope'"},
+        {"matrix " + mesh + "--operator alexa-wardetzky --set mu=1 -o old.txt",
+         "operator 'alexa-wardetzky' has no parameter 'mu'"},
+        {"matrix " + mesh + "--operator alexa-wardetzky --set lambda=x -o old.txt", "lambda must be a number"},
+        {"matrix " + mesh + "--operator alexa-wardetzky --set lambda=-1 -o old.txt", "lambda must lie between"},
+        {"matrix " + mesh + "--operator planar --set rule=x -o old.txt", "rule must be one of"},
+        {"matrix " + mesh + "--operator planar -o old.txt --mass-out none/M.mtx", "cannot write none/M.mtx: "},
+        {"matrix " + mesh + "--operator planar -o .", "cannot write .: "},
+        {"matrix " + mesh + "--operator planar -o none/S.mtx --mass-out old.txt", "cannot write none/S.mtx: "},
+        {"smooth flat.obj --operator planar --time 1 -o old.txt", "flat.obj: "},
+        {"smooth flat.obj --operator alexa-wardetzky --time 1 -o old.txt", "flat.obj: "},
+        {"harmonic " + mesh + "--operator planar --fix none.csv -o old.txt", "cannot read none.csv: "},
+        {"harmonic parts.obj --operator planar --fix fix.csv -o old.txt", "parts.obj: "},
+    };
+    for (const auto& [arguments, message] : cases) {
+        const std::string line = fail(1, arguments);
+        EXPECT_TRUE(line.starts_with(message)) << arguments << '\n' << line;
+        EXPECT_EQ(slurp(path("old.txt")), "kept") << arguments;
+        EXPECT_EQ(files(), before) << arguments;
+    }
+    EXPECT_NE(fail(1, "matrix flat.obj --operator planar -o old.txt").find("face 1"), std::string::npos);
+}
+
+TEST_F(CommandLine, OutputReplacesAFileButNotALinkOrADevice) {
+    write(path("real.mtx"), "old");
+    fs::permissions(folder_ / "real.mtx", fs::perms::owner_read | fs::perms::owner_write);
+    fs::create_symlink("real.mtx", folder_ / "link.mtx");
+    succeed("matrix '" + grid + "' --operator planar -o link.mtx");
+    EXPECT_TRUE(fs::is_symlink(folder_ / "link.mtx"));
+    EXPECT_EQ(read_matrix_market(slurp(path("real.mtx"))).rows(), 9);
+    EXPECT_EQ(fs::status(folder_ / "real.mtx").permissions(), fs::perms::owner_read | fs::perms::owner_write);
+    succeed("matrix '" + grid + "' --operator planar -o /dev/null");
+    EXPECT_TRUE(fs::is_character_file("/dev/null"));
+    EXPECT_EQ(files(), (std::vector<std::string>{"link.mtx", "real.mtx"}));
+}
+
+TEST_F(CommandLine, AFullDiskIsAnError) {
+    if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+    EXPECT_TRUE(
+        fail(1, "matrix '" + grid + "' --operator planar -o /dev/full").starts_with("cannot write /dev/full: "));
+    const Ended ended = run("operators", "> /dev/full");
+    EXPECT_EQ(ended.status, 1);
+    EXPECT_TRUE(ended.err.starts_with("polylap: cannot write standard output")) << ended.err;
+}
+
+}  // namespace
+}  // namespace polylap
