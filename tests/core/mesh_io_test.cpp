@@ -211,8 +211,8 @@ INSTANTIATE_TEST_SUITE_P(
                  square_coordinates},
         Accepted{"ByteOrderMark", "\xEF\xBB\xBF" + square + "f 1 2 3 4\n", {{0, 1, 2, 3}}, square_coordinates},
         Accepted{"Comments",
-                 "# v 9 9 9\nv 0 0 0 # first\nv 1 0 0#x\nv 1 1 0\nv 0 1 0\n  # f 1 2 3\nf 1 2 3 4 # 1\n",
-                 {{0, 1, 2, 3}},
+                 "# v 9 9 9\nv 0 0 0 # first\nv 1 0 0#x\nv 1 1 0\nv 0 1 0\n  # f 1 2 3\nf 1 2 3 4 # 1\nf 1 2 3#\n",
+                 {{0, 1, 2, 3}, {0, 1, 2}},
                  square_coordinates},
         Accepted{"Continuations",
                  "v 0 \\\n0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf \\\n1 2\\\n3 \\\r\n4\n",
@@ -357,8 +357,13 @@ TEST(MeshIo, KnowsNoLocale) {
 
 // Progress and cancellation
 
+/// Long enough to be stopped in the middle of its vertices and of its faces.
 std::string large_text() {
-    return write_obj(random_mesh(20000));
+    std::string text = write_obj(random_mesh(20000));
+    const std::string faces = text.substr(text.find("f "));
+    for (int copy = 0; copy < 5; ++copy)
+        text += faces;
+    return text;
 }
 
 TEST(MeshIo, ReportsProgress) {
