@@ -49,7 +49,8 @@ Result<PolygonMesh> read_obj(std::span<const std::byte> bytes, Monitor monitor) 
         if (!script) return script.error();
         auto faces = obj::read_faces(*script, parsing.monitor());
         if (!faces) return faces.error();
-        Points positions = Eigen::Map<const Points>(script->coordinates.data(), script->vertices(), 3);
+        const auto rows = static_cast<Eigen::Index>(script->vertices());
+        Points positions = Eigen::Map<const Points>(script->coordinates.data(), rows, 3);
         return PolygonMesh::create(std::move(positions), std::move(faces->offsets), std::move(faces->corners));
     });
 }
