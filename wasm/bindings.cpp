@@ -1,5 +1,5 @@
-// Session for JavaScript. No algorithms: arguments come in, fresh JavaScript arrays go out (never views of the heap, which moves when it grows), and
-// every call returns {ok: value} or {error: {code, message, element, line}}.
+// Session for JavaScript. No algorithms: arguments come in, fresh JavaScript arrays go out (never views of the heap,
+// which moves when it grows), and every call returns {ok: value} or {error: {code, message, element, line}}.
 
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
@@ -27,8 +27,9 @@ std::pair<const char*, T> entry(const char* key, T value) {
 }
 
 val failure(std::string_view code, const std::string& message, std::int64_t element = -1, std::int64_t line = -1) {
-    return object(entry("error", object(entry("code", std::string(code)), entry("message", message), entry("element", static_cast<double>(element)),
-                                        entry("line", static_cast<double>(line)))));
+    return object(entry(
+        "error", object(entry("code", std::string(code)), entry("message", message),
+                        entry("element", static_cast<double>(element)), entry("line", static_cast<double>(line)))));
 }
 
 /// The one place where C++ ends: `work` returns a Result<val>, and nothing it throws gets past here.
@@ -71,7 +72,8 @@ public:
 
     Monitor monitor() {
         if (callback_.isUndefined()) return {};
-        return {[](void* user, double fraction) { return static_cast<Tick*>(user)->callback_(fraction).as<bool>(); }, this};
+        return {[](void* user, double fraction) { return static_cast<Tick*>(user)->callback_(fraction).as<bool>(); },
+                this};
     }
 
 private:
@@ -79,13 +81,15 @@ private:
 };
 
 val measures_of(const Session::Shape& shape) {
-    return object(entry("area", shape.measures.area), entry("volume", shape.volume ? val(*shape.volume) : val::null()), entry("noVolume", shape.no_volume),
-                  entry("meanNonPlanarity", shape.measures.mean_non_planarity), entry("meanSquaredEdge", shape.measures.mean_squared_edge));
+    return object(entry("area", shape.measures.area), entry("volume", shape.volume ? val(*shape.volume) : val::null()),
+                  entry("noVolume", shape.no_volume), entry("meanNonPlanarity", shape.measures.mean_non_planarity),
+                  entry("meanSquaredEdge", shape.measures.mean_squared_edge));
 }
 
 val triple(const Vector3& v) {
     val result = val::array();
-    for (int k = 0; k < 3; ++k) result.set(k, v[k]);
+    for (int k = 0; k < 3; ++k)
+        result.set(k, v[k]);
     return result;
 }
 
@@ -136,12 +140,15 @@ val info(const Session& session) {
         }
         val issues = val::array();
         for (const MeshIssue& issue : find_issues(topology)) {
-            issues.call<void>("push", object(entry("kind", std::string(issue_name(issue.kind))), entry("count", issue.count), entry("message", issue.message)));
+            issues.call<void>("push", object(entry("kind", std::string(issue_name(issue.kind))),
+                                             entry("count", issue.count), entry("message", issue.message)));
         }
-        return object(entry("vertices", mesh.vertex_count()), entry("faces", mesh.face_count()), entry("edges", static_cast<double>(topology.edges.size())),
-                      entry("components", topology.component_count), entry("minCorners", fewest), entry("maxCorners", most),
-                      entry("meanSquaredEdge", measure_shape(mesh, topology).mean_squared_edge), entry("boundary", array(topology.boundary_vertices)),
-                      entry("issues", issues));
+        return object(entry("vertices", mesh.vertex_count()), entry("faces", mesh.face_count()),
+                      entry("edges", static_cast<double>(topology.edges.size())),
+                      entry("components", topology.component_count), entry("minCorners", fewest),
+                      entry("maxCorners", most),
+                      entry("meanSquaredEdge", measure_shape(mesh, topology).mean_squared_edge),
+                      entry("boundary", array(topology.boundary_vertices)), entry("issues", issues));
     });
 }
 
@@ -151,10 +158,12 @@ val geometry(const Session& session) {
         const Connectivity& connectivity = *session.mesh().connectivity();
         const DisplayTriangles& display = session.display();
         static_assert(sizeof(display.triangles[0]) == 3 * sizeof(Index));
-        return object(entry("origin", triple(session.origin())), entry("positions", array(session.float_positions(Side::a))),
-                      entry("offsets", array(connectivity.offsets)), entry("corners", array(connectivity.corners)),
-                      entry("triangles", array(reinterpret_cast<const Index*>(display.triangles.data()), 3 * display.triangles.size())),
-                      entry("triangleEdges", array(display.edges)), entry("triangleFaces", array(display.face)));
+        return object(
+            entry("origin", triple(session.origin())), entry("positions", array(session.float_positions(Side::a))),
+            entry("offsets", array(connectivity.offsets)), entry("corners", array(connectivity.corners)),
+            entry("triangles",
+                  array(reinterpret_cast<const Index*>(display.triangles.data()), 3 * display.triangles.size())),
+            entry("triangleEdges", array(display.edges)), entry("triangleFaces", array(display.face)));
     });
 }
 
@@ -162,7 +171,8 @@ val surface(const Session& session, Side side) {
     return guarded([&]() -> Result<val> {
         const Points& points = session.surface(side).positions();
         return object(entry("step", session.step_count(side)), entry("positions", array(session.float_positions(side))),
-                      entry("coordinates", array(points.data(), static_cast<std::size_t>(points.size()))), entry("stats", measures_of(session.shape(side))));
+                      entry("coordinates", array(points.data(), static_cast<std::size_t>(points.size()))),
+                      entry("stats", measures_of(session.shape(side))));
     });
 }
 
@@ -216,9 +226,12 @@ val weights(Session& session, Side side, val callback) {
             pairs.insert(pairs.end(), {weight.i, weight.j});
             values.push_back(weight.value);
         }
-        return object(entry("negativeOrdered", summary.negative_ordered), entry("nonzeroOrdered", summary.nonzero_ordered), entry("smallest", summary.smallest),
-                      entry("largest", summary.largest), entry("pairs", array(pairs)), entry("values", array(values)), entry("segments", array(weights->segments)),
-                      entry("segmentStarts", array(weights->segment_starts)), entry("segmentPairs", array(weights->segment_pairs)));
+        return object(entry("negativeOrdered", summary.negative_ordered),
+                      entry("nonzeroOrdered", summary.nonzero_ordered), entry("smallest", summary.smallest),
+                      entry("largest", summary.largest), entry("pairs", array(pairs)), entry("values", array(values)),
+                      entry("segments", array(weights->segments)),
+                      entry("segmentStarts", array(weights->segment_starts)),
+                      entry("segmentPairs", array(weights->segment_pairs)));
     });
 }
 
@@ -236,9 +249,10 @@ val harmonic(Session& session, Side side, const val& vertices, const val& values
         const auto given = emscripten::convertJSArrayToNumberVector<double>(values);
         const auto harmonic = session.harmonic(side, fixed, given, tick.monitor());
         if (!harmonic) return harmonic.error();
-        return object(entry("values", array(harmonic->values.data(), static_cast<std::size_t>(harmonic->values.size()))), entry("min", harmonic->min),
-                      entry("max", harmonic->max), entry("fixedMin", harmonic->fixed_min), entry("fixedMax", harmonic->fixed_max),
-                      entry("outside", array(harmonic->outside)));
+        return object(
+            entry("values", array(harmonic->values.data(), static_cast<std::size_t>(harmonic->values.size()))),
+            entry("min", harmonic->min), entry("max", harmonic->max), entry("fixedMin", harmonic->fixed_min),
+            entry("fixedMax", harmonic->fixed_max), entry("outside", array(harmonic->outside)));
     });
 }
 
@@ -247,7 +261,8 @@ val sparse(SparseMatrix matrix) {
     const auto entries = static_cast<std::size_t>(matrix.nonZeros());
     return object(entry("rows", static_cast<double>(matrix.rows())), entry("cols", static_cast<double>(matrix.cols())),
                   entry("colStarts", array(matrix.outerIndexPtr(), static_cast<std::size_t>(matrix.outerSize()) + 1)),
-                  entry("rowIndices", array(matrix.innerIndexPtr(), entries)), entry("values", array(matrix.valuePtr(), entries)));
+                  entry("rowIndices", array(matrix.innerIndexPtr(), entries)),
+                  entry("values", array(matrix.valuePtr(), entries)));
 }
 
 val matrices(Session& session, Side side, val callback) {
@@ -270,17 +285,20 @@ val restore(Session& session, Side side, const val& coordinates, int steps) {
     return guarded([&]() -> Result<val> {
         const auto data = emscripten::convertJSArrayToNumberVector<double>(coordinates);
         if (data.size() % 3 != 0) return Error{ErrorCode::bad_argument, "coordinates must come in threes"};
-        return nothing(session.restore(side, Eigen::Map<const Points>(data.data(), static_cast<Eigen::Index>(data.size() / 3), 3), steps));
+        return nothing(session.restore(
+            side, Eigen::Map<const Points>(data.data(), static_cast<Eigen::Index>(data.size() / 3), 3), steps));
     });
 }
 
 // ---- Tables ----
 
 val parameter_of(const Parameter& parameter) {
-    val result = object(entry("id", std::string(parameter.id)), entry("label", std::string(parameter.label)), entry("hint", std::string(parameter.hint)));
+    val result = object(entry("id", std::string(parameter.id)), entry("label", std::string(parameter.label)),
+                        entry("hint", std::string(parameter.hint)));
     if (parameter.kind == Parameter::Kind::choice) {
         val choices = val::array();
-        for (const char* choice : parameter.choices) choices.call<void>("push", std::string(choice));
+        for (const char* choice : parameter.choices)
+            choices.call<void>("push", std::string(choice));
         result.set("kind", "choice");
         result.set("choices", choices);
         result.set("initial", std::string(parameter.choices[static_cast<std::size_t>(parameter.initial)]));
@@ -301,16 +319,19 @@ val operator_table() {
         val table = val::array();
         for (const OperatorInfo* info : operators()) {
             val parameters = val::array();
-            for (const Parameter& parameter : info->parameters) parameters.call<void>("push", parameter_of(parameter));
+            for (const Parameter& parameter : info->parameters)
+                parameters.call<void>("push", parameter_of(parameter));
             const PropertyClaims& claims = info->claims;
-            table.call<void>("push", object(entry("id", std::string(info->id)), entry("label", std::string(info->label)), entry("summary", std::string(info->summary)),
-                                            entry("formulaLatex", std::string(info->formula_latex)), entry("citation", std::string(info->citation)),
-                                            entry("parameters", parameters),
-                                            entry("claims", object(entry("symmetric", name(claims.symmetric)),
-                                                                   entry("positiveSemidefinite", name(claims.positive_semidefinite)),
-                                                                   entry("constantsInKernel", name(claims.constants_in_kernel)),
-                                                                   entry("linearPrecision", name(claims.linear_precision)),
-                                                                   entry("positiveWeights", name(claims.positive_weights))))));
+            table.call<void>(
+                "push", object(entry("id", std::string(info->id)), entry("label", std::string(info->label)),
+                               entry("summary", std::string(info->summary)),
+                               entry("formulaLatex", std::string(info->formula_latex)),
+                               entry("citation", std::string(info->citation)), entry("parameters", parameters),
+                               entry("claims", object(entry("symmetric", name(claims.symmetric)),
+                                                      entry("positiveSemidefinite", name(claims.positive_semidefinite)),
+                                                      entry("constantsInKernel", name(claims.constants_in_kernel)),
+                                                      entry("linearPrecision", name(claims.linear_precision)),
+                                                      entry("positiveWeights", name(claims.positive_weights))))));
         }
         return table;
     });

@@ -42,7 +42,8 @@ function specType({ id, label, summary, parameters }) {
 }
 
 /** Without inline styles, which a strict content security policy would refuse. */
-const mathml = (latex) => temml.renderToString(latex, { displayMode: true, throwOnError: true }).replaceAll(/ style="[^"]*"/g, '');
+const mathml = (latex) =>
+  temml.renderToString(latex, { displayMode: true, throwOnError: true }).replaceAll(/ style="[^"]*"/g, '');
 
 /** The text of generated.ts for a table and the core's error codes. */
 export function generate(table, errorCodes) {
