@@ -11,15 +11,12 @@ const clickReach = 5;
 
 /** Keeps the views in step with what was chosen and computed. */
 export function bindViewer(app: App, viewer: Viewer): void {
-  let first = true;
   app.results.watch(
     (results) => [results.mesh],
     (mesh) => {
       if (!mesh) return;
       // Shapes made here stand on the plane z = 0; in files y is mostly up.
       viewer.setMesh(mesh.geometry, app.state.get().source.kind === 'preset');
-      if (first && !matchMedia('(prefers-reduced-motion: reduce)').matches) viewer.camera.nudge();
-      first = false;
     },
   );
   for (const side of sides) {
@@ -35,6 +32,15 @@ export function bindViewer(app: App, viewer: Viewer): void {
     );
   }
 
+  // Once, when all there is to see is there: drawing and computing would only slow each other down.
+  const stop = app.results.watch(
+    (results) => [results.a.weights !== null && results.b.weights !== null],
+    (complete) => {
+      if (!complete) return;
+      queueMicrotask(() => stop());
+      if (!matchMedia('(prefers-reduced-motion: reduce)').matches) viewer.camera.nudge();
+    },
+  );
   app.state.watch(
     (state) => [state.negativeShown[state.task]],
     (shown) => viewer.showNegative(shown),

@@ -124,6 +124,7 @@ export function harmonicPanel(app: App): HTMLElement {
       harmonic: { pins },
     } = app.state.get();
     const vertex = results.hovered ?? selected;
+    readouts.rename('value', vertex === null ? 'at the vertex' : `vertex ${vertex}`);
     for (const side of sides) {
       const { harmonic } = results[side];
       const known = harmonic !== null && typeof harmonic !== 'string' ? harmonic : null;

@@ -42,10 +42,11 @@ export function page(app: App, root: HTMLElement): Page {
     (task) => app.setTask(task),
   );
   const stage = h('div', { class: 'stage' }, cards.a.element, cards.b.element, canvas);
+  const masthead = header(app, { open: files.pick, paste: () => paste.showModal(), help: () => help.showModal() });
+  masthead.append(files.element);
   root.append(
-    header(app, { open: files.pick, paste: () => paste.showModal(), help: () => help.showModal() }),
-    files.element,
-    h('div', { class: 'task-line' }, tasks.element, errorLine(app)),
+    masthead,
+    h('section', { class: 'task-line', 'aria-label': 'Task and messages' }, tasks.element, errorLine(app)),
     h(
       'main',
       {},

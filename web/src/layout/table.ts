@@ -9,6 +9,7 @@ export interface Cell {
 /** A table A | B whose rows stay where they are while their numbers change. */
 export function sideTable(caption: string, rows: readonly { id: string; name: string }[]) {
   const cells = new Map<string, [HTMLElement, HTMLElement]>();
+  const names = new Map<string, HTMLElement>();
   const body = h(
     'tbody',
     {},
@@ -16,7 +17,9 @@ export function sideTable(caption: string, rows: readonly { id: string; name: st
       const a = h('td', { 'data-readout': id, 'data-of': 'a' });
       const b = h('td', { 'data-readout': id, 'data-of': 'b' });
       cells.set(id, [a, b]);
-      return h('tr', {}, h('th', { scope: 'row' }, name), a, b);
+      const head = h('th', { scope: 'row' }, name);
+      names.set(id, head);
+      return h('tr', {}, head, a, b);
     }),
   );
   const element = h(
@@ -33,5 +36,9 @@ export function sideTable(caption: string, rows: readonly { id: string; name: st
     target.className = cell.class ?? '';
     target.title = cell.text.length > 14 ? cell.text : '';
   };
-  return { element, set };
+  const rename = (id: string, name: string) => {
+    const head = names.get(id);
+    if (head) put(head, name);
+  };
+  return { element, set, rename };
 }

@@ -22,7 +22,7 @@ export class Labels {
     this.shown = pins.slice(0, labelLimit).map((pin) => {
       const element = h('span', { class: 'pin-label' }, exact(pin.value));
       this.layer.append(element);
-      return { pin, element, width: element.offsetWidth };
+      return { pin, element, width: 0 };
     });
   }
 
@@ -40,20 +40,26 @@ export class Labels {
     const testable = (this.shown.length * triangles.length) / 3 <= testLimit;
     const taken: { x: number; y: number; width: number }[] = [];
     const nearestFirst = this.shown
-      .map((entry) => ({ ...entry, at: toWorld(entry.pin.vertex) }))
+      .map((label) => ({ label, at: toWorld(label.pin.vertex) }))
       .sort((p, q) => p.at.distanceToSquared(camera.position) - q.at.distanceToSquared(camera.position));
-    for (const { pin, element, width: wide, at } of nearestFirst) {
-      const screen = at.clone().project(camera);
-      const x = ((screen.x + 1) / 2) * width + 9;
-      const y = ((1 - screen.y) / 2) * height - 22;
-      const fits = x >= 0 && y >= 0 && x + wide <= width && y + 20 <= height && screen.z < 1;
+    for (const { label, at } of nearestFirst) {
+      const { pin, element } = label;
+      if (label.width === 0) {
+        element.hidden = false;
+        label.width = element.offsetWidth;
+      }
+      const screen = at.project(camera);
+      const right = ((screen.x + 1) / 2) * width + 9;
+      const x = right + label.width <= width ? right : right - 18 - label.width;
+      const y = Math.max(0, ((1 - screen.y) / 2) * height - 22);
+      const fits = x >= 0 && x + label.width <= width && y + 20 <= height && screen.z < 1;
       const free = taken.every(
-        (other) => x + wide + 2 < other.x || other.x + other.width + 2 < x || Math.abs(y - other.y) > 20,
+        (other) => x + label.width + 2 < other.x || other.x + other.width + 2 < x || Math.abs(y - other.y) > 20,
       );
       const seen = fits && free && !(testable && hidden(eye, pin.vertex, points, triangles));
       element.hidden = !seen;
       if (!seen) continue;
-      taken.push({ x, y, width: wide });
+      taken.push({ x, y, width: label.width });
       element.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px)`;
     }
   }

@@ -1,0 +1,189 @@
+/** The built page in a real browser: what the tests of this folder share. */
+import { createReadStream, existsSync, mkdirSync, statSync } from 'node:fs';
+import { createServer, type Server } from 'node:http';
+import type { AddressInfo } from 'node:net';
+import { extname, join, normalize } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { type Browser, type BrowserContextOptions, chromium, type Page } from 'playwright-core';
+import type { Side } from '../../wasm/src/types.js';
+import type { Results } from '../../web/src/results.js';
+import type { State } from '../../web/src/state.js';
+
+declare global {
+  /** What web/src/main.ts leaves on the page for the console and for tests. */
+  var polylap: {
+    state: () => State;
+    results: () => Results;
+    project: (side: Side, vertex: number) => { x: number; y: number; visible: boolean } | null;
+  };
+}
+
+const root = fileURLToPath(new URL('../..', import.meta.url));
+export const dist = process.env.POLYLAP_DIST ?? join(root, 'dist');
+export const dataFile = (name: string) => join(root, 'tests/data', name);
+const out = join(root, 'tests/web/out');
+
+const types: Record<string, string> = {
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript',
+  '.css': 'text/css',
+  '.wasm': 'application/wasm',
+};
+
+/** The page lives below a path, as it may on any host, and nothing else is there. */
+const base = '/some/where/';
+
+export interface Site {
+  url: string;
+  browser: Browser;
+  close: () => Promise<void>;
+}
+
+export async function startSite(): Promise<Site> {
+  if (!existsSync(join(dist, 'index.html')))
+    throw new Error(`There is no built page in ${dist}: npm run build makes it.`);
+  const server: Server = createServer((request, response) => {
+    const path = new URL(request.url ?? '/', 'http://localhost').pathname;
+    const file = path.startsWith(base) ? join(dist, normalize(path.slice(base.length) || 'index.html')) : '';
+    if (!file.startsWith(dist) || !existsSync(file) || !statSync(file).isFile()) {
+      response.writeHead(404).end();
+      return;
+    }
+    response.writeHead(200, { 'content-type': types[extname(file)] ?? 'application/octet-stream' });
+    createReadStream(file).pipe(response);
+  });
+  await new Promise<void>((done) => server.listen(0, 'localhost', done));
+  const browser = await chromium.launch({
+    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+    args: [
+      '--no-sandbox',
+      '--disable-quic',
+      '--no-first-run',
+      '--disable-background-networking',
+      '--disable-component-update',
+      '--disable-sync',
+    ],
+  });
+  return {
+    url: `http://localhost:${(server.address() as AddressInfo).port}${base}`,
+    browser,
+    close: async () => {
+      await browser.close();
+      server.closeAllConnections();
+      await new Promise((done) => server.close(done));
+    },
+  };
+}
+
+export interface Visit {
+  page: Page;
+  /** Console errors and warnings, uncaught errors, requests that failed or left the site. */
+  troubles: string[];
+  close: () => Promise<void>;
+}
+
+/** Opens the page and waits for its first numbers. */
+export async function visit(site: Site, options: BrowserContextOptions = {}): Promise<Visit> {
+  const context = await site.browser.newContext({
+    viewport: { width: 1440, height: 900 },
+    reducedMotion: 'reduce',
+    ...options,
+  });
+  context.setDefaultTimeout(30_000);
+  const page = await context.newPage();
+  const troubles: string[] = [];
+  page.on('console', (message) => {
+    // The software renderer reports each screenshot and each pick as slow.
+    if (['error', 'warning'].includes(message.type()) && !message.text().includes('GPU stall due to ReadPixels')) {
+      troubles.push(`${message.type()}: ${message.text()}`);
+    }
+  });
+  page.on('pageerror', (error) => troubles.push(`uncaught: ${error.message}`));
+  page.on('requestfailed', (request) => troubles.push(`failed: ${request.url()}`));
+  page.on('response', (response) => {
+    if (response.status() >= 400) troubles.push(`${response.status()}: ${response.url()}`);
+  });
+  page.on('request', (request) => {
+    if (!request.url().startsWith(site.url) && !/^(data|blob):/.test(request.url()))
+      troubles.push(`left the site: ${request.url()}`);
+  });
+  await page.goto(site.url);
+  await settled(page);
+  return { page, troubles, close: () => context.close() };
+}
+
+/** Until both sides know their weights and nothing is under way. */
+export async function settled(page: Page): Promise<void> {
+  await page.waitForFunction(() => {
+    const { mesh, a, b, busy } = globalThis.polylap?.results() ?? {};
+    return mesh && a?.weights && b?.weights && a.shape && b.shape && busy === null;
+  });
+}
+
+/** The number that a readout of a side shows. */
+export async function readout(page: Page, name: string, side?: Side): Promise<number> {
+  const selector = `[data-readout="${name}"]`;
+  const where = side ? `[data-side="${side}"] ${selector}, [data-of="${side}"]${selector}` : selector;
+  const value = await page.locator(where).first().getAttribute('data-value');
+  return value === null ? Number.NaN : Number(value);
+}
+
+export const negative = async (page: Page) => [
+  await readout(page, 'negative', 'a'),
+  await readout(page, 'negative', 'b'),
+];
+
+/** Waits until a readout of both sides shows these numbers. */
+export async function shows(page: Page, name: string, a: number, b: number, tolerance = 0): Promise<void> {
+  await page.waitForFunction(
+    ([selector, first, second, within]) => {
+      const value = (side: string) =>
+        Number(
+          document.querySelector<HTMLElement>(`[data-side="${side}"] ${selector}, [data-of="${side}"]${selector}`)
+            ?.dataset.value ?? Number.NaN,
+        );
+      return Math.abs(value('a') - first) <= within && Math.abs(value('b') - second) <= within;
+    },
+    [`[data-readout="${name}"]`, a, b, tolerance] as const,
+  );
+}
+
+/** Clicks where a vertex is seen. */
+export async function clickVertex(page: Page, side: Side, vertex: number): Promise<void> {
+  const at = await page.evaluate(([of, number]) => globalThis.polylap.project(of, number), [side, vertex] as const);
+  if (!at) throw new Error(`vertex ${vertex} is nowhere on side ${side}`);
+  if (!at.visible) throw new Error(`vertex ${vertex} is hidden on side ${side}`);
+  await page.mouse.click(at.x, at.y);
+}
+
+export async function chooseMesh(page: Page, id: string): Promise<void> {
+  await page.getByLabel('Mesh', { exact: true }).selectOption(id);
+  await page.waitForFunction((wanted) => {
+    const { source } = globalThis.polylap.state();
+    return source.kind === 'preset' && source.id === wanted;
+  }, id);
+  await settled(page);
+}
+
+export async function openFile(page: Page, name: string, text: string | Buffer): Promise<void> {
+  await page.getByLabel('Mesh file').setInputFiles({ name, mimeType: 'text/plain', buffer: Buffer.from(text) });
+}
+
+/** For the eye; kept out of the repository. */
+export async function picture(page: Page, name: string, fullPage = false): Promise<void> {
+  mkdirSync(out, { recursive: true });
+  await page.screenshot({ path: join(out, `${name}.png`), fullPage });
+}
+
+/** A flat grid of n × n squares as OBJ text. */
+export function gridObj(n: number): string {
+  const lines: string[] = [];
+  for (let j = 0; j <= n; j++) for (let i = 0; i <= n; i++) lines.push(`v ${i} ${j} ${((i * 7 + j * 3) % 5) / 20}`);
+  for (let j = 0; j < n; j++) {
+    for (let i = 0; i < n; i++) {
+      const first = j * (n + 1) + i + 1;
+      lines.push(`f ${first} ${first + 1} ${first + n + 2} ${first + n + 1}`);
+    }
+  }
+  return lines.join('\n');
+}

@@ -1,0 +1,238 @@
+import { readdirSync, readFileSync, statSync } from 'node:fs';
+import { join } from 'node:path';
+import { gzipSync } from 'node:zlib';
+import { AxeBuilder } from '@axe-core/playwright';
+import type { Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { dist, picture, readout, type Site, settled, startSite, visit } from './browser.js';
+
+let site: Site;
+beforeAll(async () => {
+  site = await startSite();
+});
+afterAll(() => site?.close());
+
+/** What axe complains about, in one line each. */
+async function complaints(page: Page): Promise<string[]> {
+  // axe wants to open a page of its own to merge frames; there are no frames here.
+  const { violations } = await new AxeBuilder({ page: page as never }).setLegacyMode().analyze();
+  return violations.flatMap(({ id, nodes }) =>
+    nodes.map(({ target, failureSummary }) => `${id}: ${target.join(' ')} ${failureSummary}`),
+  );
+}
+
+async function example(page: Page): Promise<void> {
+  await page.getByRole('tab', { name: 'Harmonic' }).click();
+  await page.getByRole('button', { name: 'Two pins, 0 and 1' }).click();
+  await page.waitForFunction(() => globalThis.polylap.results().b.harmonic !== null);
+  await settled(page);
+}
+
+describe.each([
+  ['light', { colorScheme: 'light' as const }],
+  ['dark', { colorScheme: 'dark' as const }],
+  ['narrow', { viewport: { width: 390, height: 844 }, hasTouch: true }],
+])('axe, %s', (name, options) => {
+  it('finds nothing in any task, nor in the dialogs, nor beside an error', async () => {
+    const { page, troubles, close } = await visit(site, options);
+    expect(await complaints(page)).toEqual([]);
+    await page.getByRole('tab', { name: 'Smooth' }).click();
+    expect(await complaints(page)).toEqual([]);
+    await example(page);
+    await picture(page, `harmonic-${name}`, true);
+    expect(await complaints(page)).toEqual([]);
+    await page
+      .getByLabel('Mesh file')
+      .setInputFiles({ name: 'broken.obj', mimeType: 'text/plain', buffer: Buffer.from('f 1 2 3') });
+    await page.locator('.error').waitFor({ state: 'visible' });
+    expect(await complaints(page)).toEqual([]);
+    for (const opener of ['Paste…', 'Help']) {
+      await page.getByRole('button', { name: opener }).click();
+      expect(await complaints(page)).toEqual([]);
+      await page.keyboard.press('Escape');
+    }
+    expect(troubles).toEqual([]);
+    await close();
+  });
+});
+
+describe('widths', () => {
+  it.each([1440, 1024, 899, 390, 320])('%i px: nothing is wider than the window', async (width) => {
+    const { page, close } = await visit(site, { viewport: { width, height: 800 }, hasTouch: width < 900 });
+    for (const task of ['Weights', 'Smooth', 'Harmonic']) {
+      await page.getByRole('tab', { name: task }).click();
+      expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
+    }
+    await picture(page, `width-${width}`, true);
+    await close();
+  });
+
+  it('390 px: one side at a time, both numbers in the switch', async () => {
+    const { page, close } = await visit(site, { viewport: { width: 390, height: 844 }, hasTouch: true });
+    const toA = page.getByRole('button', { name: 'Side A, 2048 negative weights' });
+    const toB = page.getByRole('button', { name: 'Side B, 0 negative weights' });
+    expect(await toA.textContent()).toContain('2\u202f048');
+    expect(await page.locator('[data-view=b]').isVisible()).toBe(false);
+    await toB.tap();
+    expect(await page.locator('[data-view=a]').isVisible()).toBe(false);
+    expect(await page.locator('[data-view=b]').isVisible()).toBe(true);
+    expect(await toB.getAttribute('aria-pressed')).toBe('true');
+    for (const name of ['Open…', 'Paste…', 'Help']) {
+      const box = await page.getByRole('button', { name }).boundingBox();
+      expect(Math.min(box?.height ?? 0, box?.width ?? 0)).toBeGreaterThanOrEqual(name === 'Help' ? 32 : 44);
+    }
+    // A touch picks.
+    const at = await page.evaluate(() => {
+      for (let vertex = 0; vertex < 512; vertex++) {
+        const spot = globalThis.polylap.project('b', vertex);
+        if (spot?.visible) return { ...spot, vertex };
+      }
+      return null;
+    });
+    if (!at) throw new Error('no vertex is visible');
+    await page.touchscreen.tap(at.x, at.y);
+    await page.waitForFunction((vertex) => globalThis.polylap.state().selected === vertex, at.vertex);
+    await close();
+  });
+});
+
+describe('by keyboard alone', () => {
+  it('reaches everything in order, and sees where it is', async () => {
+    const { page, close } = await visit(site);
+    const stops: string[] = [];
+    for (let k = 0; k < 40; k++) {
+      await page.keyboard.press('Tab');
+      const stop = await page.evaluate(() => {
+        const { activeElement } = document;
+        if (!activeElement || activeElement === document.body) return null;
+        const { outlineStyle } = getComputedStyle(activeElement);
+        const name = activeElement.getAttribute('aria-label') ?? activeElement.textContent ?? '';
+        return outlineStyle === 'none' ? `no outline: ${name}` : name;
+      });
+      if (stop === null) break;
+      stops.push(stop);
+    }
+    expect(stops.filter((stop) => stop.startsWith('no outline'))).toEqual([]);
+    const at = (name: string) => stops.findIndex((stop) => stop.startsWith(name));
+    const order = [
+      'Mesh',
+      'Open…',
+      'Paste…',
+      'Colours',
+      'Help',
+      'Weights',
+      'Operator of A',
+      'Mesh A',
+      'λ of A',
+      'Operator of B',
+      'Mesh B',
+      'rule of B',
+      'Vertex',
+    ].map(at);
+    expect(order).not.toContain(-1);
+    expect(order).toEqual([...order].sort((p, q) => p - q));
+    await close();
+  });
+
+  it('turns both meshes together, zooms, and comes back', async () => {
+    const { page, close } = await visit(site);
+    const where = () => page.evaluate(() => (['a', 'b'] as const).map((side) => globalThis.polylap.project(side, 0)));
+    const [before] = await where();
+    await page.locator('[data-view=b]').focus();
+    for (const key of ['ArrowLeft', 'ArrowUp', '+']) await page.keyboard.press(key);
+    const [a, b] = await where();
+    expect(Math.hypot((a?.x ?? 0) - (before?.x ?? 0), (a?.y ?? 0) - (before?.y ?? 0))).toBeGreaterThan(10);
+    const gap = await page.evaluate(() => {
+      const left = (side: string) => document.querySelector(`[data-view=${side}]`)?.getBoundingClientRect().left ?? 0;
+      return left('b') - left('a');
+    });
+    expect((b?.x ?? 0) - (a?.x ?? 0)).toBeCloseTo(gap, 3);
+    await page.keyboard.press('0');
+    const [home] = await where();
+    expect(home?.x).toBeCloseTo(before?.x ?? Number.NaN, 3);
+    await close();
+  });
+
+  it('changes tasks with arrows, plays with Space, finds help under ?', async () => {
+    const { page, close } = await visit(site);
+    await page.getByRole('tab', { name: 'Weights' }).focus();
+    await page.keyboard.press('ArrowRight');
+    expect(await page.getByRole('tab', { name: 'Smooth' }).getAttribute('aria-selected')).toBe('true');
+    await page.locator('[data-view=a]').focus();
+    await page.keyboard.press('Space');
+    await page.waitForFunction(() => globalThis.polylap.results().a.step >= 1);
+    await page.keyboard.press('Space');
+    await page.waitForFunction(() => !globalThis.polylap.results().playing);
+    await page.keyboard.press('?');
+    expect(await page.getByRole('dialog').isVisible()).toBe(true);
+    await page.keyboard.press('Escape');
+    expect(await page.getByRole('dialog').count()).toBe(0);
+    await close();
+  });
+});
+
+describe('the picture', () => {
+  it('comes back after the graphics context was lost', async () => {
+    const { page, close } = await visit(site);
+    await page.evaluate(() => {
+      const context = document.querySelector<HTMLCanvasElement>('canvas.scene')?.getContext('webgl2');
+      const extension = context?.getExtension('WEBGL_lose_context');
+      extension?.loseContext();
+      setTimeout(() => extension?.restoreContext(), 500);
+    });
+    await page.getByText('took the picture away').first().waitFor({ state: 'attached' });
+    await page.waitForFunction(() => /picture is back/.test(document.querySelector('.notice')?.textContent ?? ''));
+    await picture(page, 'restored');
+    expect(await readout(page, 'negative', 'a')).toBe(2048);
+    const box = await page.locator('[data-view=a]').boundingBox();
+    const shot = await page.screenshot({ clip: box ?? { x: 0, y: 0, width: 1, height: 1 } });
+    // An empty card compresses to next to nothing.
+    expect(shot.byteLength).toBeGreaterThan(20_000);
+    await close();
+  });
+
+  it('is missed without WebGL, the numbers are not', async () => {
+    const context = await site.browser.newContext();
+    const page = await context.newPage();
+    await page.addInitScript(() => {
+      HTMLCanvasElement.prototype.getContext = new Proxy(HTMLCanvasElement.prototype.getContext, {
+        apply: (target, self, [kind, ...rest]) =>
+          String(kind).startsWith('webgl') ? null : Reflect.apply(target, self, [kind, ...rest]),
+      });
+    });
+    await page.goto(site.url);
+    await settled(page);
+    expect(await readout(page, 'negative', 'a')).toBe(2048);
+    expect(await page.locator('[data-view=a]').textContent()).toContain('no WebGL');
+    await context.close();
+  });
+
+  it('follows the theme without a reload', async () => {
+    const { page, close } = await visit(site);
+    const card = () =>
+      page
+        .locator('.card')
+        .first()
+        .evaluate((element) => getComputedStyle(element).backgroundColor);
+    expect(await card()).toBe('rgb(255, 253, 249)');
+    await page.getByLabel('Colours', { exact: true }).selectOption('dark');
+    expect(await card()).toBe('rgb(27, 30, 36)');
+    await picture(page, 'weights-dark');
+    await page.getByLabel('Colours', { exact: true }).selectOption('auto');
+    await page.emulateMedia({ colorScheme: 'dark' });
+    expect(await card()).toBe('rgb(27, 30, 36)');
+    await page.emulateMedia({ forcedColors: 'active' });
+    await picture(page, 'forced-colours');
+    await close();
+  });
+});
+
+it('everything together is at most 450 kB, compressed', () => {
+  const files = readdirSync(dist, { recursive: true, encoding: 'utf8' })
+    .map((name) => join(dist, name))
+    .filter((name) => statSync(name).isFile());
+  const sizes = files.map((name) => gzipSync(readFileSync(name), { level: 9 }).byteLength);
+  const total = sizes.reduce((sum, size) => sum + size, 0);
+  console.log(`${files.length} files, ${(total / 1000).toFixed(1)} kB gzip`);
+  expect(total).toBeLessThanOrEqual(450_000);
+});
