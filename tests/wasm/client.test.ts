@@ -14,6 +14,8 @@ beforeAll(async () => {
 const aw: OperatorSpec = { id: 'alexa-wardetzky' };
 const planar: OperatorSpec = { id: 'planar' };
 const torus = { shape: 'torus', nu: 32, nv: 16, noise: 0.3, seed: 7 } as const;
+/** Steps so small that the surface stands, and goes on standing: with large ones it soon has no area left. */
+const endless = { time: 1e-9, steps: 1_000_000 };
 /** One smoothing step on it takes longer than a cancellation is given. */
 const big = { shape: 'grid', nx: 400, ny: 400, noise: 0.2 } as const;
 
@@ -131,15 +133,6 @@ describe('calls', () => {
     expect((await failure(c.make(torus))).code).toBe('cancelled');
     expect(last().terminated).toBe(true);
   });
-
-  it('hands over memory instead of copying it', async () => {
-    const mesh = await (await start()).make(torus);
-    const smoothed = await mesh.smooth(aw, { time: 0.01 });
-    // What was transferred fills its buffer and shares it with nobody.
-    for (const array of [smoothed.positions, smoothed.coordinates, mesh.geometry.corners]) {
-      expect(array.byteLength).toBe(array.buffer.byteLength);
-    }
-  });
 });
 
 describe('order, progress and steps', () => {
@@ -212,7 +205,7 @@ describe('cancelling', () => {
       steps.push(step);
       if (step === 4) abort.abort();
     };
-    const error = await failure(mesh.smooth(aw, { time: 0.01, steps: 100_000 }, { signal: abort.signal, onStep }));
+    const error = await failure(mesh.smooth(aw, endless, { signal: abort.signal, onStep }));
     expect(error.code).toBe('cancelled');
     expect(steps).toEqual([3, 4]);
     expect(await coordinates(mesh)).toBe(before);
@@ -281,7 +274,7 @@ describe('a worker that dies', () => {
     const { coordinates: before } = await mesh.smooth(aw, { time: 0.01, steps: 2 });
     const kept = before.slice();
     before.fill(0); // The caller's array is the caller's: the client has its own.
-    const running = failure(mesh.smooth(aw, { time: 0.01, steps: 100_000 }));
+    const running = failure(mesh.smooth(aw, endless));
     const queued = mesh.smooth(planar, { time: 1e-30 });
     await until(() => last().received.some(({ kind }) => kind === 'progress'));
     last().crash();
