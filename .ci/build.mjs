@@ -86,7 +86,7 @@ export async function runMain(main) {
   }
 }
 
-if (realpathSync(process.argv[1]) === fileURLToPath(import.meta.url)) {
+if (process.argv[1] && realpathSync(process.argv[1]) === fileURLToPath(import.meta.url)) {
   const goal = goals[process.argv[2]];
   if (goal) await runMain(goal);
   else {

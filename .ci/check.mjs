@@ -29,7 +29,10 @@ const clangFormat = (...mode) => run('clang-format-14', [...mode, ...cppIn('core
 /** How clang-tidy, which knows no em++, has to be told to read a file of the wasm build. */
 async function emscriptenArguments() {
   const { text } = await listen('em++', ['--cflags']);
-  const flags = text.trim().split(/\s+/).filter((flag) => /^(--sysroot=|-D)/.test(flag));
+  const flags = text
+    .trim()
+    .split(/\s+/)
+    .filter((flag) => /^(--sysroot=|-D)/.test(flag));
   const sysroot = flags.find((flag) => flag.startsWith('--sysroot='))?.slice('--sysroot='.length);
   return [...flags, `-isystem${sysroot}/include/compat`, '--target=wasm32-unknown-emscripten'];
 }
