@@ -1,0 +1,164 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "polylap/operators/alexa_wardetzky.hpp"
+#include "polylap/operators/operator.hpp"
+#include "polylap/operators/planar.hpp"
+#include "zoo.hpp"
+
+namespace polylap::test {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+bool is_kebab_case(std::string_view id) {
+    return !id.empty() && id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string_view::npos && id.front() != '-' && id.back() != '-';
+}
+
+TEST(Table, IsComplete) {
+    std::set<std::string_view> ids;
+    ASSERT_GE(operators().size(), 2u);
+    for (const OperatorInfo* info : operators()) {
+        ASSERT_NE(info, nullptr);
+        EXPECT_TRUE(is_kebab_case(info->id)) << info->id;
+        EXPECT_TRUE(ids.insert(info->id).second) << info->id;
+        for (const char* text : {info->label, info->formula_latex, info->citation, info->summary}) {
+            ASSERT_NE(text, nullptr) << info->id;
+            EXPECT_GT(std::string_view(text).size(), 3u) << info->id;
+        }
+        EXPECT_NE(info->build, nullptr);
+        std::set<std::string_view> names;
+        for (const Parameter& p : info->parameters) {
+            EXPECT_TRUE(is_kebab_case(p.id)) << p.id;
+            EXPECT_TRUE(names.insert(p.id).second) << p.id;
+            EXPECT_FALSE(std::string_view(p.label).empty());
+            ASSERT_NE(p.hint, nullptr);
+            EXPECT_LT(p.min, p.max);
+            EXPECT_LE(p.min, p.initial);
+            EXPECT_LE(p.initial, p.slider_max);
+            EXPECT_LE(p.slider_max, p.max);
+            EXPECT_GT(p.step, 0);
+            EXPECT_EQ(p.kind == Parameter::Kind::choice, !p.choices.empty());
+            if (p.kind != Parameter::Kind::choice) continue;
+            EXPECT_EQ(p.min, 0);
+            EXPECT_EQ(p.max, static_cast<double>(p.choices.size()) - 1);
+            EXPECT_EQ(p.step, 1);
+            for (const char* choice : p.choices) {
+                EXPECT_TRUE(is_kebab_case(choice)) << choice;
+            }
+        }
+    }
+}
+
+TEST(Table, HasTheTwoFirstOperators) {
+    ASSERT_STREQ(operators()[0]->id, "alexa-wardetzky");
+    ASSERT_EQ(operators()[0]->parameters.size(), 1u);
+    EXPECT_STREQ(operators()[0]->parameters[0].id, "lambda");
+    EXPECT_EQ(operators()[0]->parameters[0].initial, 1);
+    ASSERT_STREQ(operators()[1]->id, "planar");
+    ASSERT_EQ(operators()[1]->parameters.size(), 1u);
+    EXPECT_STREQ(operators()[1]->parameters[0].id, "rule");
+    EXPECT_STREQ(operators()[1]->parameters[0].choices[static_cast<std::size_t>(operators()[1]->parameters[0].initial)], "delaunay");
+    EXPECT_EQ(operators()[0], &alexa_wardetzky_info);
+    EXPECT_EQ(operators()[1], &planar_info);
+}
+
+TEST(Table, ChoicesAreTheRulesTheyName) {
+    const auto& mesh = specimen("wavy-9");
+    const std::pair<const char*, TriangulationRule> rules[] = {{"delaunay", TriangulationRule::delaunay},
+                                                               {"min-max-angle", TriangulationRule::min_max_angle},
+                                                               {"shortest-diagonal", TriangulationRule::shortest_diagonal},
+                                                               {"fan", TriangulationRule::fan}};
+    for (const auto& [name, rule] : rules) {
+        const auto spec = get(make_spec("planar", Settings{{"rule", name}}));
+        EXPECT_EQ((Matrix(get(build_operator(mesh, spec)).stiffness) - Matrix(get(planar_stiffness(mesh, {rule})))).norm(), 0) << name;
+    }
+}
+
+TEST(Specs, AreFilledFromTheTable) {
+    for (const OperatorInfo* info : operators()) {
+        const auto spec = get(complete_spec({info->id, {}}));
+        ASSERT_EQ(spec.values.size(), info->parameters.size());
+        for (std::size_t k = 0; k < spec.values.size(); ++k) {
+            EXPECT_EQ(spec.values[k], info->parameters[k].initial);
+        }
+        EXPECT_EQ(get(make_spec(info->id, {})), spec);
+        EXPECT_EQ(get(find_operator(info->id)), info);
+    }
+    EXPECT_EQ(get(make_spec("alexa-wardetzky", Settings{{"lambda", "0.5"}})).values, std::vector<double>{0.5});
+    EXPECT_EQ(get(make_spec("alexa-wardetzky", Settings{{"lambda", "1e-3"}})).values, std::vector<double>{0.001});
+    EXPECT_EQ(get(make_spec("alexa-wardetzky", Settings{{"lambda", "0"}})).values, std::vector<double>{0});
+    EXPECT_EQ(get(make_spec("planar", Settings{{"rule", "fan"}})).values, std::vector<double>{3});
+}
+
+template <class T>
+void expect_error(const Result<T>& result, ErrorCode code, std::initializer_list<const char*> words, const std::string& what) {
+    ASSERT_FALSE(result.ok()) << what;
+    EXPECT_EQ(result.error().code, code) << what << ": " << result.error().message;
+    for (const char* word : words) {
+        EXPECT_NE(result.error().message.find(word), std::string::npos) << what << ": " << result.error().message;
+    }
+}
+
+TEST(Specs, UnknownOperatorsAreNamedWithTheKnownOnes) {
+    for (const char* id : {"cotan", "", "Planar", "planar "}) {
+        expect_error(find_operator(id), ErrorCode::unknown_operator, {id, "alexa-wardetzky", "planar"}, id);
+        expect_error(make_spec(id, {}), ErrorCode::unknown_operator, {"alexa-wardetzky"}, id);
+        expect_error(complete_spec({id, {}}), ErrorCode::unknown_operator, {"alexa-wardetzky"}, id);
+        expect_error(build_operator(specimen("grid-2x2"), {id, {}}), ErrorCode::unknown_operator, {"alexa-wardetzky"}, id);
+    }
+}
+
+TEST(Specs, TextsMustBeNumbersOrChoices) {
+    for (const char* text : {"abc", "", "1x", " 1", "1,5", "nan", "inf", "0x10", "1e999"}) {
+        expect_error(make_spec("alexa-wardetzky", Settings{{"lambda", text}}), ErrorCode::bad_argument, {"lambda", text}, text);
+    }
+    for (const char* text : {"Fan", "", "0", "fans"}) {
+        expect_error(make_spec("planar", Settings{{"rule", text}}), ErrorCode::bad_argument, {"rule", text, "delaunay", "fan"}, text);
+    }
+    expect_error(make_spec("planar", Settings{{"lambda", "1"}}), ErrorCode::bad_argument, {"planar", "lambda"}, "another's parameter");
+}
+
+TEST(Specs, ValuesMustLieInTheirRange) {
+    for (const OperatorInfo* info : operators()) {
+        expect_error(complete_spec({info->id, std::vector<double>(info->parameters.size() + 1, 0.0)}), ErrorCode::bad_argument, {info->id}, "too many values");
+        for (std::size_t k = 0; k < info->parameters.size(); ++k) {
+            const Parameter& p = info->parameters[k];
+            for (const double bad : {p.min - 1, p.max + 1, std::nextafter(p.min, -infinity), nan, infinity, -infinity}) {
+                OperatorSpec spec = get(complete_spec({info->id, {}}));
+                spec.values[k] = bad;
+                expect_error(complete_spec(spec), ErrorCode::parameter_out_of_range, {p.id}, std::to_string(bad));
+                expect_error(build_operator(specimen("grid-2x2"), spec), ErrorCode::parameter_out_of_range, {p.id}, std::to_string(bad));
+            }
+            for (const double good : {p.min, p.max}) {
+                OperatorSpec spec = get(complete_spec({info->id, {}}));
+                spec.values[k] = good;
+                EXPECT_TRUE(build_operator(specimen("grid-2x2"), spec).ok()) << p.id << " = " << good;
+            }
+            if (p.kind != Parameter::Kind::choice) continue;
+            OperatorSpec spec = get(complete_spec({info->id, {}}));
+            spec.values[k] = 0.5;
+            expect_error(complete_spec(spec), ErrorCode::parameter_out_of_range, {p.id}, "between two choices");
+        }
+    }
+    expect_error(make_spec("alexa-wardetzky", Settings{{"lambda", "-0.1"}}), ErrorCode::parameter_out_of_range, {"lambda", "0"}, "λ < 0");
+    for (const double bad : {-1e-9, nan, infinity}) {
+        expect_error(alexa_wardetzky_stiffness(specimen("grid-2x2"), {bad}), ErrorCode::parameter_out_of_range, {}, "direct call");
+    }
+}
+
+TEST(Claims, HaveNames) {
+    EXPECT_EQ(claim_name(Claim::yes), "yes");
+    EXPECT_EQ(claim_name(Claim::planar), "planar");
+    EXPECT_EQ(claim_name(Claim::triangles), "triangles");
+    EXPECT_EQ(claim_name(Claim::no), "no");
+}
+
+}  // namespace
+}  // namespace polylap::test

@@ -1,0 +1,128 @@
+#include "polylap/apply/smoothing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include <Eigen/LU>
+
+#include "polylap/mesh/shapes.hpp"
+#include "zoo.hpp"
+
+namespace polylap::test {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+OperatorMatrices build(const PolygonMesh& mesh, const OperatorInfo* info) { return get(build_operator(mesh, {info->id, {}})); }
+
+TEST(ImplicitSmoother, EqualsADenseSolve) {
+    for (const auto& [name, mesh] : zoo()) {
+        if (mesh.vertex_count() > 90 || name == "unreferenced-vertices") continue;
+        for (const OperatorInfo* info : operators()) {
+            const auto m = build(mesh, info);
+            for (const double factor : {1e-3, 0.1, 10.0}) {
+                const double time = factor * m.mass.sum();
+                const Points moved = get(get(ImplicitSmoother::create(m, time)).step(mesh.positions()));
+                const Matrix a = Matrix(m.mass) + time * Matrix(m.stiffness);
+                const Matrix expected = a.fullPivLu().solve(m.mass * Matrix(mesh.positions()));
+                EXPECT_LE((moved - expected).cwiseAbs().maxCoeff(), 1e-10 * bounding_size(mesh)) << name << ", " << info->id;
+            }
+        }
+    }
+}
+
+TEST(ImplicitSmoother, KeepsTheCentreAndLowersTheEnergy) {
+    const auto& mesh = specimen("torus-10x7-noisy");
+    for (const OperatorInfo* info : operators()) {
+        const auto m = build(mesh, info);
+        const auto smoother = get(ImplicitSmoother::create(m, 0.01));
+        const auto energy = [&](const Points& x) { return (x.transpose() * (m.stiffness * x)).trace(); };
+        Points x = mesh.positions();
+        const Eigen::RowVector3d centre = Vector(m.mass.diagonal()).transpose() * x;
+        for (int k = 0; k < 5; ++k) {
+            const Points next = get(smoother.step(x));
+            EXPECT_LT(energy(next), energy(x));
+            EXPECT_LE((Vector(m.mass.diagonal()).transpose() * next - centre).norm(), 1e-12 * m.mass.sum());
+            x = next;
+        }
+    }
+}
+
+TEST(ImplicitSmoother, VerticesInNoFaceStay) {
+    const auto& mesh = specimen("unreferenced-vertices");
+    for (const OperatorInfo* info : operators()) {
+        for (const double scale : {1e-6, 1.0, 1e6}) {
+            const auto scaled = get(mesh.with_positions(scale * mesh.positions()));
+            const Points moved = get(get(ImplicitSmoother::create(build(scaled, info), 0.3 * scale * scale)).step(scaled.positions()));
+            for (const Index v : {0, 4}) {
+                EXPECT_LE((moved.row(v) - scaled.positions().row(v)).norm(), 1e-15 * scaled.positions().norm());
+            }
+            EXPECT_GT((moved.row(3) - scaled.positions().row(3)).norm(), 0.01 * scale);
+        }
+    }
+}
+
+TEST(ImplicitSmoother, UpdateIsTheSameAsCreate) {
+    const auto torus = get(make_torus(8, 6));
+    const auto grid = get(make_grid(4, 5));
+    ImplicitSmoother smoother = get(ImplicitSmoother::create(build(torus, operators().front()), 0.1));
+    const auto expect_equal = [&](const PolygonMesh& mesh, const OperatorInfo* info, double time) {
+        check(smoother.update(build(mesh, info), time));
+        const Points expected = get(get(ImplicitSmoother::create(build(mesh, info), time)).step(mesh.positions()));
+        EXPECT_LE((get(smoother.step(mesh.positions())) - expected).cwiseAbs().maxCoeff(), 1e-14);
+    };
+    expect_equal(torus, operators().front(), 0.5);                                          // other time
+    expect_equal(get(add_normal_noise(torus, 0.2, 1)), operators().front(), 0.5);           // other values
+    expect_equal(torus, operators().back(), 0.5);                                           // other pattern
+    expect_equal(grid, operators().back(), 0.01);                                           // other size
+}
+
+TEST(ImplicitSmoother, RefusesBadTimes) {
+    const auto m = build(specimen("grid-2x2"), operators().front());
+    for (const double time : {0.0, -1.0, nan, infinity, -infinity}) {
+        const auto smoother = ImplicitSmoother::create(m, time);
+        ASSERT_FALSE(smoother.ok()) << time;
+        EXPECT_EQ(smoother.error().code, ErrorCode::bad_argument);
+        EXPECT_NE(smoother.error().message.find("time"), std::string::npos) << smoother.error().message;
+    }
+}
+
+TEST(ImplicitSmoother, RefusesMassesAndMatricesThatDoNotFit) {
+    auto m = build(specimen("grid-2x2"), operators().front());
+    for (const double bad : {0.0, -0.1, nan}) {
+        OperatorMatrices broken = m;
+        broken.mass.coeffRef(5, 5) = bad;
+        const auto smoother = ImplicitSmoother::create(broken, 1);
+        ASSERT_FALSE(smoother.ok()) << bad;
+        EXPECT_EQ(smoother.error().code, ErrorCode::mass_not_positive);
+        EXPECT_EQ(smoother.error().element, 5);
+        EXPECT_NE(smoother.error().message.find("vertex 5"), std::string::npos) << smoother.error().message;
+    }
+    OperatorMatrices indefinite = m;
+    indefinite.stiffness.coeffRef(4, 4) = -100;
+    const auto smoother = ImplicitSmoother::create(indefinite, 1);
+    ASSERT_FALSE(smoother.ok());
+    EXPECT_EQ(smoother.error().code, ErrorCode::not_positive_definite);
+    EXPECT_GE(smoother.error().element, 0);
+    EXPECT_LT(smoother.error().element, 9);
+
+    const auto good = get(ImplicitSmoother::create(m, 1));
+    const auto step = good.step(Points::Zero(8, 3));
+    ASSERT_FALSE(step.ok());
+    EXPECT_EQ(step.error().code, ErrorCode::bad_argument);
+    EXPECT_NE(step.error().message.find('8'), std::string::npos) << step.error().message;
+}
+
+TEST(ImplicitSmoother, GoesOnAfterARefusedUpdate) {
+    const auto m = build(specimen("grid-2x2"), operators().front());
+    ImplicitSmoother smoother = get(ImplicitSmoother::create(m, 0.2));
+    EXPECT_FALSE(smoother.update(m, -1).ok());
+    check(smoother.update(m, 0.2));
+    EXPECT_EQ(get(smoother.step(specimen("grid-2x2").positions())),
+              get(get(ImplicitSmoother::create(m, 0.2)).step(specimen("grid-2x2").positions())));
+}
+
+}  // namespace
+}  // namespace polylap::test

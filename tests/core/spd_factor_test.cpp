@@ -1,0 +1,162 @@
+#include "polylap/solve/spd_factor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include <Eigen/Cholesky>
+
+#include "polylap/mesh/shapes.hpp"
+#include "polylap/operators/operator.hpp"
+#include "zoo.hpp"
+
+namespace polylap::test {
+namespace {
+
+SparseMatrix sparse(const Matrix& dense) { return dense.sparseView(); }
+
+SparseMatrix system_on(const PolygonMesh& mesh, double weight) {
+    const auto matrices = get(build_operator(mesh, {operators().front()->id, {}}));
+    return matrices.mass + weight * matrices.stiffness;
+}
+
+void expect_solves(const SpdFactor& factor, const SparseMatrix& a, Eigen::Index columns) {
+    ASSERT_EQ(factor.size(), a.rows());
+    Matrix x(a.rows(), columns);
+    for (Eigen::Index j = 0; j < columns; ++j) {
+        for (Eigen::Index i = 0; i < x.rows(); ++i) {
+            x(i, j) = std::sin(1.7 * static_cast<double>(i) + static_cast<double>(j));
+        }
+    }
+    const Matrix solved = factor.solve(a * x);
+    ASSERT_EQ(solved.cols(), columns);
+    EXPECT_LE((solved - x).norm(), 1e-10 * (1 + x.norm()));
+}
+
+TEST(SpdFactor, SolvesAgainAndAgain) {
+    const auto torus = get(make_torus(12, 8));
+    SpdFactor factor;
+    for (const double weight : {0.1, 1.0, 5.0}) {  // the same pattern, other values
+        const SparseMatrix a = system_on(torus, weight);
+        check(factor.factor(a));
+        expect_solves(factor, a, 1);
+        expect_solves(factor, a, 7);
+        expect_solves(factor, a, 0);
+    }
+    const SparseMatrix other = system_on(get(make_grid(5, 6)), 1);  // another size
+    check(factor.factor(other));
+    expect_solves(factor, other, 3);
+
+    Matrix dense = Matrix::Identity(42, 42) * 3;  // the same size, another pattern
+    dense(41, 0) = dense(0, 41) = 1;
+    check(factor.factor(sparse(dense)));
+    expect_solves(factor, sparse(dense), 2);
+}
+
+TEST(SpdFactor, AnotherPatternOfTheSameCountIsSeen) {
+    Matrix a = Matrix::Identity(4, 4) * 2;
+    Matrix b = a;
+    a(0, 1) = a(1, 0) = 1;
+    b(2, 3) = b(3, 2) = 1;
+    SpdFactor factor;
+    check(factor.analyse(sparse(a)));
+    check(factor.factor(sparse(a)));
+    expect_solves(factor, sparse(a), 1);
+    check(factor.factor(sparse(b)));
+    expect_solves(factor, sparse(b), 1);
+}
+
+TEST(SpdFactor, ReadsOnlyTheLowerTriangle) {
+    Matrix full(3, 3);
+    full << 4, 1, 0.5, 1, 5, 2, 0.5, 2, 6;
+    Matrix lower = full.triangularView<Eigen::Lower>();
+    lower(0, 2) = 77;
+    SpdFactor factor;
+    check(factor.factor(sparse(lower)));
+    expect_solves(factor, sparse(full), 2);
+}
+
+TEST(SpdFactor, TinyMatrices) {
+    SpdFactor factor;
+    SparseMatrix one(1, 1);
+    one.insert(0, 0) = 4;
+    check(factor.factor(one));
+    EXPECT_EQ(factor.solve(Matrix::Constant(1, 1, 8))(0, 0), 2);
+
+    check(factor.factor(SparseMatrix(0, 0)));
+    EXPECT_EQ(factor.size(), 0);
+    EXPECT_EQ(factor.solve(Matrix(0, 2)).cols(), 2);
+}
+
+TEST(SpdFactor, RefusesWhatIsNotSquare) {
+    SpdFactor factor;
+    for (const Status& status : {factor.analyse(SparseMatrix(3, 4)), factor.factor(SparseMatrix(3, 4))}) {
+        ASSERT_FALSE(status.ok());
+        EXPECT_EQ(status.error().code, ErrorCode::bad_argument);
+    }
+}
+
+TEST(SpdFactor, NamesTheRowWhereItFails) {
+    const auto refused = [](const Matrix& a) {
+        SpdFactor factor;
+        const Status status = factor.factor(sparse(a));
+        EXPECT_FALSE(status.ok());
+        if (status.ok()) return std::int64_t{-1};
+        EXPECT_EQ(status.error().code, ErrorCode::not_positive_definite);
+        EXPECT_NE(status.error().message.find(std::to_string(status.error().element)), std::string::npos) << status.error().message;
+        return status.error().element;
+    };
+    Matrix diagonal = Matrix::Identity(5, 5);
+    diagonal(3, 3) = -1;
+    EXPECT_EQ(refused(diagonal), 3);
+    diagonal(3, 3) = 0;
+    diagonal(4, 3) = diagonal(3, 4) = 0;
+    EXPECT_EQ(refused(diagonal), 3);
+
+    // A block 1–3 that is singular: whichever of the two goes last fails.
+    Matrix block = Matrix::Identity(5, 5);
+    block(1, 3) = block(3, 1) = 1;
+    const std::int64_t row = refused(block);
+    EXPECT_TRUE(row == 1 || row == 3) << row;
+
+    // The constants are in the kernel of every stiffness matrix.
+    const SparseMatrix s = get(build_operator(get(make_grid(6, 6)), {operators().front()->id, {}})).stiffness;
+    SpdFactor factor;
+    EXPECT_FALSE(factor.factor(s).ok());
+
+    Matrix broken = Matrix::Identity(3, 3);
+    broken(1, 1) = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(refused(broken), 1);
+}
+
+TEST(SpdFactor, AnotherMatrixAfterAFailure) {
+    SpdFactor factor;
+    EXPECT_FALSE(factor.factor(sparse(-Matrix::Identity(4, 4))).ok());
+    const SparseMatrix good = sparse(Matrix::Identity(4, 4) * 2);
+    check(factor.factor(good));
+    expect_solves(factor, good, 1);
+}
+
+TEST(SpdFactor, TheScaleDoesNotMatter) {
+    const SparseMatrix a = system_on(get(make_torus(6, 5)), 1);
+    for (const double scale : {1e-120, 1e-12, 1e12, 1e120}) {
+        SpdFactor factor;
+        const SparseMatrix scaled = scale * a;
+        check(factor.factor(scaled));
+        expect_solves(factor, scaled, 1);
+    }
+}
+
+TEST(SpdFactor, Moves) {
+    const SparseMatrix a = sparse(Matrix::Identity(3, 3) * 5);
+    SpdFactor first;
+    check(first.factor(a));
+    SpdFactor second(std::move(first));
+    expect_solves(second, a, 1);
+    SpdFactor third;
+    third = std::move(second);
+    expect_solves(third, a, 1);
+}
+
+}  // namespace
+}  // namespace polylap::test
