@@ -1,15 +1,16 @@
 /** The asynchronous client, with the real core in a real worker thread. */
-import { afterEach, beforeAll, describe, expect, it } from 'vitest';
+import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
 import { startClient, type WorkerLike } from '../../wasm/src/client.js';
 import { type Client, type Mesh, type OperatorSpec, PolylapError, type Smoothed } from '../../wasm/src/index.js';
 import { load } from '../../wasm/src/node.js';
 import { readMesh } from './native.js';
 import { bundleWorker, ThreadWorker } from './thread.js';
 
-let file: string;
+let bundle: Awaited<ReturnType<typeof bundleWorker>>;
 beforeAll(async () => {
-  file = await bundleWorker();
+  bundle = await bundleWorker();
 });
+afterAll(() => bundle.remove());
 
 const aw: OperatorSpec = { id: 'alexa-wardetzky' };
 const planar: OperatorSpec = { id: 'planar' };
@@ -24,7 +25,7 @@ let client: Client | undefined;
 
 async function start(): Promise<Client> {
   const worker = () => {
-    workers.push(new ThreadWorker(file));
+    workers.push(new ThreadWorker(bundle.file));
     return last();
   };
   client = await startClient({ worker });

@@ -1,5 +1,5 @@
 /** Makes Node's worker threads look like a browser's workers, and lets tests watch and kill them. */
-import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -11,7 +11,7 @@ import type { FromWorker, ToWorker } from '../../wasm/src/protocol.js';
 const wasmBinary = readFileSync(new URL('../../build/wasm/polylap.wasm', import.meta.url));
 
 /** Node 20 runs no TypeScript: the worker is bundled into one file. */
-export async function bundleWorker(): Promise<string> {
+export async function bundleWorker(): Promise<{ file: string; remove: () => void }> {
   const entry = fileURLToPath(new URL('./node-worker.ts', import.meta.url));
   const result = await build({
     configFile: false,
@@ -21,9 +21,10 @@ export async function bundleWorker(): Promise<string> {
   const output = 'output' in result ? result.output : [];
   const chunk = output.find((file) => file.type === 'chunk');
   if (chunk?.type !== 'chunk') throw new Error('the worker was not bundled');
-  const file = join(mkdtempSync(join(tmpdir(), 'polylap-')), 'worker.mjs');
+  const folder = mkdtempSync(join(tmpdir(), 'polylap-'));
+  const file = join(folder, 'worker.mjs');
   writeFileSync(file, chunk.code);
-  return file;
+  return { file, remove: () => rmSync(folder, { recursive: true }) };
 }
 
 export class ThreadWorker implements WorkerLike {

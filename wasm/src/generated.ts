@@ -44,7 +44,7 @@ export const operators: readonly OperatorInfo[] = [
     id: 'alexa-wardetzky',
     label: 'Alexa–Wardetzky',
     summary: 'Edge vectors against the vector area of each face, stabilised by λ where they see nothing.',
-    formulaLatex: 'S_f = \\delta^{\\mathsf T}\\Bigl(\\tfrac{1}{|a|}\\,B B^{\\mathsf T} + \\lambda\\, C C^{\\mathsf T}\\Bigr)\\delta',
+    formulaLatex: 'S_f = \\delta^{\\mathrm T}\\Bigl(\\tfrac{1}{|a|}\\,B B^{\\mathrm T} + \\lambda\\, C C^{\\mathrm T}\\Bigr)\\delta',
     citation: 'M. Alexa, M. Wardetzky: Discrete Laplacians on general polygonal meshes. ACM Trans. Graph. 30(4), 2011; Herholz 2012, eq. 4.29',
     parameters: [
       {
@@ -66,7 +66,7 @@ export const operators: readonly OperatorInfo[] = [
       linearPrecision: 'yes',
       positiveWeights: 'no',
     },
-    formulaMathml: '<math display="block" class="tml-display"><mrow><msub><mi>S</mi><mi>f</mi></msub><mo>=</mo><msup><mi>δ</mi><mi>𝖳</mi></msup><mo fence="true" symmetric="true" minsize="1.8em" maxsize="1.8em">(</mo><mstyle displaystyle="false" scriptlevel="0"><mfrac><mn>1</mn><mrow><mi>|</mi><mi>a</mi><mi>|</mi></mrow></mfrac></mstyle><mspace width="0.1667em"></mspace><mi>B</mi><msup><mi>B</mi><mi class="tml-med-pad">𝖳</mi></msup><mo>+</mo><mi>λ</mi><mspace width="0.1667em"></mspace><mi>C</mi><msup><mi>C</mi><mi class="tml-med-pad">𝖳</mi></msup><mo fence="true" symmetric="true" minsize="1.8em" maxsize="1.8em">)</mo><mi>δ</mi></mrow></math>',
+    formulaMathml: '<math display="block" class="tml-display"><mrow><msub><mi>S</mi><mi>f</mi></msub><mo>=</mo><msup><mi>δ</mi><mrow><mi mathvariant="normal">T</mi><mspace></mspace></mrow></msup><mo fence="true" symmetric="true" minsize="1.8em" maxsize="1.8em">(</mo><mstyle displaystyle="false" scriptlevel="0"><mfrac><mn>1</mn><mrow><mi>|</mi><mi>a</mi><mi>|</mi></mrow></mfrac></mstyle><mspace width="0.1667em"></mspace><mi>B</mi><msup><mi>B</mi><mrow class="tml-med-pad"><mi mathvariant="normal">T</mi><mspace></mspace></mrow></msup><mo>+</mo><mi>λ</mi><mspace width="0.1667em"></mspace><mi>C</mi><msup><mi>C</mi><mrow class="tml-med-pad"><mi mathvariant="normal">T</mi><mspace></mspace></mrow></msup><mo fence="true" symmetric="true" minsize="1.8em" maxsize="1.8em">)</mo><mi>δ</mi></mrow></math>',
   },
   {
     id: 'planar',

@@ -168,7 +168,7 @@ export interface Matrices {
   mass: SparseMatrix;
 }
 
-/** Meshes made in code. */
+/** Meshes made in code. `noise` moves vertices along their normals, in mean edge lengths (default 0); `seed` (default 1) chooses which noise. */
 export type ShapeSpec =
   | { shape: 'torus'; nu: number; nv: number; major?: number; minor?: number; noise?: number; seed?: number }
   | { shape: 'grid'; nx: number; ny: number; width?: number; height?: number; noise?: number; seed?: number }
