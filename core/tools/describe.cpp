@@ -25,15 +25,15 @@ std::string info_text(const ordered_json& facts) {
         text << std::left << std::setw(22) << label;
         return text;
     };
-    const auto or_why = [](const ordered_json& value, const ordered_json& why) {
-        return value.is_null() ? "none: " + why.get<std::string>() : value.dump();
+    const auto or_why = [&facts](const char* value, const char* why) {
+        return facts[value].is_null() ? "none: " + facts[why].get<std::string>() : facts[value].dump();
     };
     line("vertices") << facts["vertices"] << '\n';
     line("faces") << facts["faces"] << '\n';
     line("edges") << facts["edges"] << '\n';
     line("components") << facts["components"] << '\n';
     line("boundary vertices") << facts["boundaryVertices"] << '\n';
-    line("boundary loops") << or_why(facts["boundaryLoops"], facts["noBoundaryLoops"]) << '\n';
+    line("boundary loops") << or_why("boundaryLoops", "noBoundaryLoops") << '\n';
     line("corners: faces");
     const char* separator = "";
     for (const auto& [corners, faces] : facts["faceSizes"].items()) {
@@ -42,7 +42,7 @@ std::string info_text(const ordered_json& facts) {
     }
     text << '\n';
     line("area") << facts["area"] << '\n';
-    line("volume") << or_why(facts["volume"], facts["noVolume"]) << '\n';
+    line("volume") << or_why("volume", "noVolume") << '\n';
     line("mean non-planarity") << facts["meanNonPlanarity"] << '\n';
     line("mean squared edge") << facts["meanSquaredEdge"] << '\n';
     for (const auto& issue : facts["issues"])

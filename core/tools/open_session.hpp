@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+
 #include "files.hpp"
 #include "polylap/session.hpp"
 
@@ -15,7 +17,8 @@ inline Error in_file(const std::string& path, Error error) {
 inline Result<Session> open_session(const std::string& path) {
     const auto bytes = read_file(path);
     if (!bytes) return bytes.error();
-    auto session = Session::open(std::as_bytes(std::span(*bytes)), path == "-" ? "stdin.obj" : path);
+    auto session = Session::open(std::as_bytes(std::span(*bytes)),
+                                 path == "-" ? "stdin.obj" : std::filesystem::path(path).filename().string());
     if (!session) return in_file(path, session.error());
     return session;
 }
