@@ -1,5 +1,5 @@
 // What `npm start`, `npm test` and `npm run build…` share. Node's own modules only: it runs before anything is installed.
-//   node .ci/build.mjs native|wasm|site
+//   node .ci/build.mjs native|wasm|package|site
 import { spawn } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, readFileSync, realpathSync, writeFileSync } from 'node:fs';
@@ -58,6 +58,14 @@ export async function build(preset, targets = []) {
 /** The static site in dist/. Needs the wasm preset. */
 export const buildSite = () => runTool('vite', ['build', 'web']);
 
+/** What `npm pack` packs: the TypeScript of wasm/src as modules with types, in build/npm. Needs the wasm preset. */
+export async function buildPackage() {
+  await runTool('tsc', ['-p', 'wasm/tsconfig.json']);
+  // The one name that TypeScript leaves as it is: a URL, no import.
+  const index = join(root, 'build/npm/index.js');
+  writeFileSync(index, readFileSync(index, 'utf8').replace("'./worker.ts'", "'./worker.js'"));
+}
+
 const goals = {
   async native() {
     await ensurePackages('native');
@@ -66,6 +74,11 @@ const goals = {
   async wasm() {
     await ensurePackages('wasm');
     await build('wasm');
+  },
+  async package() {
+    await goals.wasm();
+    await ensureModules();
+    await buildPackage();
   },
   async site() {
     await goals.wasm();
