@@ -6,17 +6,6 @@ import { extname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { type Browser, type BrowserContextOptions, chromium, type Page } from 'playwright-core';
 import type { Side } from '../../wasm/src/types.js';
-import type { Results } from '../../web/src/results.js';
-import type { State } from '../../web/src/state.js';
-
-declare global {
-  /** What web/src/main.ts leaves on the page for the console and for tests. */
-  var polylap: {
-    state: () => State;
-    results: () => Results;
-    project: (side: Side, vertex: number) => { x: number; y: number; visible: boolean } | null;
-  };
-}
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 export const dist = process.env.POLYLAP_DIST ?? join(root, 'dist');
@@ -115,8 +104,8 @@ export async function visit(site: Site, options: BrowserContextOptions = {}): Pr
 /** Until both sides know their weights and nothing is under way. */
 export async function settled(page: Page): Promise<void> {
   await page.waitForFunction(() => {
-    const { mesh, a, b, busy } = globalThis.polylap?.results() ?? {};
-    return mesh && a?.weights && b?.weights && a.shape && b.shape && busy === null;
+    const { mesh, a, b } = globalThis.polylap?.results() ?? {};
+    return mesh && a?.weights && b?.weights && a.shape && b.shape && globalThis.polylap.idle();
   });
 }
 

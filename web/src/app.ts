@@ -120,7 +120,9 @@ export class App {
 
   private async measure(mesh: Mesh, side: Side): Promise<void> {
     try {
-      const shape = await mesh.shape({ side });
+      const shape = await this.work.run(`${side.toUpperCase()}: area and volume`, (run) =>
+        mesh.shape({ side, ...run }),
+      );
       this.patch(mesh, side, { shape });
     } catch (reason) {
       this.fail(mesh, 'The surface could not be measured', reason);
@@ -248,7 +250,7 @@ export class App {
     const { mesh } = this.results.get();
     if (!mesh) return;
     try {
-      await mesh.reset();
+      await this.work.run('Back to the loaded mesh', () => mesh.reset());
     } catch (reason) {
       this.fail(mesh, 'The mesh could not be reset', reason);
       return;
@@ -310,6 +312,11 @@ export class App {
   cancel(): void {
     this.results.set({ playing: false });
     this.work.cancel();
+  }
+
+  /** Whether nothing is under way. */
+  get idle(): boolean {
+    return this.work.idle && !this.results.get().playing;
   }
 
   say(notice: string): void {

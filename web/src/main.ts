@@ -55,6 +55,7 @@ canvas.addEventListener('webglcontextrestored', () => {
 const handle = {
   state: () => app.state.get(),
   results: () => app.results.get(),
+  idle: () => app.idle,
   /** Where a vertex is on the page, in CSS pixels, and whether nothing hides it. */
   project: (side: Side, vertex: number) => viewer?.project(side, vertex) ?? null,
 };

@@ -41,6 +41,10 @@ export class Work {
     }
   }
 
+  get idle(): boolean {
+    return this.jobs.size === 0;
+  }
+
   cancel(): void {
     for (const job of this.jobs) job.controller.abort();
   }
