@@ -10,7 +10,7 @@ export * from './types.js';
 /** @throws PolylapError `worker-failed` when the worker cannot be started */
 export function createClient(options: Partial<ClientOptions> = {}): Promise<Client> {
   return startClient({
-    worker: () => new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' }),
+    worker: () => new Worker(new URL('./worker.js', import.meta.url), { type: 'module' }),
     ...options,
   });
 }
