@@ -7,8 +7,10 @@
 
 namespace polylap {
 
-/// A pivot below this multiple of the row's diagonal entry counts as zero: the matrix is not positive definite.
-inline constexpr double pivot_tolerance = 1e-14;
+/// A pivot below this multiple of the row's diagonal entry counts as zero: the matrix is not positive definite, or too
+/// nearly singular to tell. Measured: Laplacians with a fixed vertex keep pivots above 1e-7, singular ones fall below
+/// 1e-13.
+inline constexpr double pivot_tolerance = 1e-12;
 
 /// Sparse Cholesky (LDLᵀ) of a symmetric positive definite matrix: analyse once per pattern, factor once per values,
 /// solve often.
