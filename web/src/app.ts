@@ -217,11 +217,10 @@ export class App {
       else {
         patch.playing = false;
         if (isCancelled(outcome.reason)) patch.notice = 'Cancelled; the surfaces are those of the last finished step.';
-        else
-          patch.error = {
-            title: `Side ${side.toUpperCase()} stopped at step ${behind}`,
-            text: explain(outcome.reason),
-          };
+        else {
+          const who = patch.error ? 'Both sides' : `Side ${side.toUpperCase()}`;
+          patch.error = { title: `${who} stopped at step ${behind}`, text: explain(outcome.reason) };
+        }
       }
     });
     this.results.set(patch);
@@ -342,12 +341,12 @@ function surfaceOf({ step, positions, stats }: Smoothed) {
   return { step, positions, shape: stats };
 }
 
-/** The error's own words, with the place in front if they do not name it. */
+/** The error's own words as a sentence, with the line in front if they do not name it. */
 export function explain(reason: unknown): string {
-  if (!(reason instanceof Error)) return String(reason);
-  if (reason instanceof PolylapError && reason.line > 0 && !/\bline\b/i.test(reason.message))
-    return `Line ${reason.line}: ${reason.message}`;
-  return reason.message;
+  const message = reason instanceof Error ? reason.message : String(reason);
+  const named = !(reason instanceof PolylapError) || reason.line < 1 || /\bline\b/i.test(message);
+  const text = named ? message : `line ${reason.line}: ${message}`;
+  return `${text.charAt(0).toUpperCase()}${text.slice(1)}${/[.!?]$/.test(text) ? '' : '.'}`;
 }
 
 function describe(mesh: Mesh, label: string): string {

@@ -65,10 +65,10 @@ export function bindViewer(app: App, viewer: Viewer): void {
       const own = results[side].harmonic;
       const outside = task === 'harmonic' && own && typeof own !== 'string' ? own.outside : [];
       viewer.setMarks(side, [
-        { mark: Mark.outside, vertices: outside },
-        { mark: Mark.pin, vertices: pins.map((pin) => pin.vertex) },
         { mark: Mark.hovered, vertices: results.hovered === null ? [] : [results.hovered] },
         { mark: Mark.selected, vertices: selected === null ? [] : [selected] },
+        { mark: Mark.outside, vertices: outside },
+        { mark: Mark.pin, vertices: pins.map((pin) => pin.vertex) },
       ]);
     }
   };

@@ -9,7 +9,7 @@ export const boundaryPresets: readonly {
   label: string;
   value: (at: Point, pinned: number, isCorner: boolean) => number;
 }[] = [
-  { id: 'value', label: 'to the value', value: (_, pinned) => pinned },
+  { id: 'value', label: 'constant', value: (_, pinned) => pinned },
   { id: 'x', label: 'x', value: ([x]) => x },
   { id: 'y', label: 'y', value: ([, y]) => y },
   { id: 'x2-y2', label: 'x² − y²', value: ([x, y]) => x * x - y * y },

@@ -14,6 +14,7 @@ export function count(value: number): string {
 /** A length, an area, a weight: `digits` significant digits, scientific only where plain digits would not fit a readout. */
 export function real(value: number, digits = 4): string {
   if (Number.isNaN(value)) return 'undefined';
+  if (value === 0) return '0';
   if (!Number.isFinite(value)) return value > 0 ? '∞' : '−∞';
   const size = Math.abs(value);
   if (size !== 0 && (size < 1e-4 || size >= 1e6)) return minus(value.toExponential(digits - 1));

@@ -7,7 +7,7 @@ export interface Cell {
 }
 
 /** A table A | B whose rows stay where they are while their numbers change. */
-export function sideTable(caption: string, rows: readonly { id: string; name: string }[]) {
+export function sideTable(caption: string, rows: readonly { id: string; name: string }[], kind = '') {
   const cells = new Map<string, [HTMLElement, HTMLElement]>();
   const names = new Map<string, HTMLElement>();
   const body = h(
@@ -24,7 +24,7 @@ export function sideTable(caption: string, rows: readonly { id: string; name: st
   );
   const element = h(
     'table',
-    { class: 'readouts' },
+    { class: `readouts ${kind}` },
     h('caption', { class: 'unseen' }, caption),
     h('thead', {}, h('tr', {}, h('td', {}), h('th', { scope: 'col' }, 'A'), h('th', { scope: 'col' }, 'B'))),
     body,

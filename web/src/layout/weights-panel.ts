@@ -2,6 +2,7 @@ import { type App, rowLimit } from '../app.js';
 import { h } from '../dom.js';
 import { count, plural, weight } from '../format.js';
 import type { operators, Side } from '../polylap.js';
+import { drawnLimit, wideLimit } from '../scene/line-limits.js';
 import { sparseRow } from '../sparse-row.js';
 import { operatorOf, sides } from '../state.js';
 import { sideTable } from './table.js';
@@ -20,14 +21,15 @@ const claimNames: Record<keyof (typeof operators)[number]['claims'], string> = {
 /** What the weights are: extremes, the row of the selected vertex, what the operators promise. */
 export function weightsPanel(app: App): HTMLElement {
   const extremes = sideTable('Weights', [
-    { id: 'smallest', name: 'smallest weight' },
-    { id: 'largest', name: 'largest weight' },
+    { id: 'smallest', name: 'smallest' },
+    { id: 'largest', name: 'largest' },
   ]);
   const lines = h('p', { class: 'note' });
   const row = h('div', { class: 'row' });
   const claims = sideTable(
     'What the operators promise',
     Object.entries(claimNames).map(([id, name]) => ({ id, name })),
+    'brief',
   );
   const element = h(
     'div',
@@ -70,10 +72,20 @@ export function weightsPanel(app: App): HTMLElement {
   app.results.watch(
     (results) => [results.a.weights, results.b.weights],
     (...both) => {
-      const drawn = both.map((weights) => (weights && typeof weights !== 'string' ? weights.pairs.length / 2 : 0));
-      lines.textContent = drawn.some((pairs) => pairs > 0)
-        ? `Dashed on the mesh: ${drawn.map((pairs, k) => `${count(pairs)} on ${'AB'[k]}`).join(', ')}; each line is two ordered pairs.`
-        : 'No weight is negative.';
+      const known = both.filter((weights) => weights !== null && typeof weights !== 'string');
+      if (known.every((weights) => weights.negativeOrdered === 0)) {
+        lines.textContent = known.length > 0 ? 'No weight is negative.' : '';
+        return;
+      }
+      const drawn = known.map((weights) => count(weights.pairs.length / 2)).join(' | ');
+      const most = Math.max(...known.map((weights) => weights.segmentStarts.length));
+      const how =
+        most > drawnLimit
+          ? `, one in ${Math.ceil(most / drawnLimit)} of them`
+          : most > wideLimit
+            ? ', as hairlines'
+            : '';
+      lines.textContent = `Dashed on the mesh${how}: ${drawn} pairs, each counted both ways.`;
     },
   );
 

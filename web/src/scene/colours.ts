@@ -19,8 +19,10 @@ export function readColours(within: HTMLElement): Colours {
   within.append(probe);
   const read = (property: string) => {
     probe.style.color = `var(${property})`;
-    const [r = 0, g = 0, b = 0] = (getComputedStyle(probe).color.match(/[\d.]+/g) ?? []).map(Number);
-    return new Vector3(r, g, b).divideScalar(255);
+    const text = getComputedStyle(probe).color;
+    const [r = 0, g = 0, b = 0] = (text.match(/[\d.]+/g) ?? []).map(Number);
+    // rgb(…) counts to 255, color(srgb …), which mixed colours come out as, to 1.
+    return new Vector3(r, g, b).divideScalar(text.startsWith('rgb') ? 255 : 1);
   };
   const colours = Object.fromEntries(
     Object.entries(names).map(([name, property]) => [name, read(property)]),

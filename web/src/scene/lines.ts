@@ -1,6 +1,7 @@
 import {
   BufferAttribute,
   BufferGeometry,
+  DoubleSide,
   GLSL3,
   InstancedBufferAttribute,
   InstancedBufferGeometry,
@@ -10,10 +11,7 @@ import {
   Vector2,
   Vector3,
 } from 'three';
-
-/** Up to here lines are as wide as they should be; beyond, hairlines; beyond the second limit only some of them. */
-export const wideLimit = 30_000;
-export const drawnLimit = 400_000;
+import { drawnLimit, wideLimit } from './line-limits.js';
 
 const shared = /* glsl */ `
 uniform vec2 viewport;
@@ -52,13 +50,17 @@ void main() {
 const fragmentShader = /* glsl */ `
 uniform vec3 ink;
 uniform float period;
+uniform float opacity;
 in float vAlong;
 out vec4 colour;
 void main() {
   float phase = fract(vAlong / period);
   if (phase > 0.62) discard;
-  colour = vec4(ink, 1.0);
+  colour = vec4(ink, opacity);
 }`;
+
+/** Mean length in pixels from which on lines are fully drawn. */
+const clearLength = 8;
 
 export interface Segments {
   segments: Float32Array;
@@ -69,29 +71,30 @@ export interface Segments {
 /** Dashed lines on a surface: dashed, so that they are never told by colour alone. */
 export class DashedLines {
   readonly object: Mesh | LineSegments;
-  /** 1: all of them are drawn; n: every n-th pair. */
-  readonly thinning: number;
-  readonly hairlines: boolean;
   readonly material: ShaderMaterial;
+  private readonly meanLength: number;
 
   constructor(lines: Segments) {
     const total = lines.segmentStarts.length;
-    this.hairlines = total > wideLimit;
-    this.thinning = Math.ceil(total / drawnLimit) || 1;
+    const hairlines = total > wideLimit;
     this.material = new ShaderMaterial({
       glslVersion: GLSL3,
-      vertexShader: this.hairlines ? thinVertexShader : wideVertexShader,
+      vertexShader: hairlines ? thinVertexShader : wideVertexShader,
       fragmentShader,
-      side: 2,
+      side: DoubleSide,
+      transparent: true,
+      depthWrite: false,
       uniforms: {
         viewport: { value: new Vector2(1, 1) },
         halfWidth: { value: 1 },
         period: { value: 1 },
+        opacity: { value: 1 },
         ink: { value: new Vector3() },
       },
     });
-    this.object = this.hairlines
-      ? new LineSegments(thinGeometry(lines, this.thinning), this.material)
+    this.meanLength = meanLength(lines.segments);
+    this.object = hairlines
+      ? new LineSegments(thinGeometry(lines, Math.ceil(total / drawnLimit)), this.material)
       : new Mesh(wideGeometry(lines), this.material);
     this.object.frustumCulled = false;
     this.object.renderOrder = 1;
@@ -99,8 +102,10 @@ export class DashedLines {
 
   /** @param lengthPerPixel length on the model that a pixel covers in the middle of the view */
   fit(width: number, height: number, pixelRatio: number, lengthPerPixel: number): void {
-    const { viewport, halfWidth, period } = this.material.uniforms;
+    const { viewport, halfWidth, period, opacity } = this.material.uniforms;
     viewport?.value.set(width * pixelRatio, height * pixelRatio);
+    // Lines a few pixels apart would hide the surface: they become a tint.
+    if (opacity) opacity.value = Math.min(1, Math.max(0.12, this.meanLength / lengthPerPixel / clearLength));
     if (halfWidth) halfWidth.value = 0.75 * pixelRatio;
     // In powers of two: dashes keep their size on screen without crawling as the camera moves.
     if (period) period.value = 2 ** Math.round(Math.log2(6 * lengthPerPixel));
@@ -131,19 +136,33 @@ function wideGeometry({ segments, segmentStarts }: Segments): BufferGeometry {
 }
 
 function thinGeometry({ segments, segmentStarts, segmentPairs }: Segments, thinning: number): BufferGeometry {
-  const kept: number[] = [];
-  for (let s = 0; s < segmentStarts.length; s++) if ((segmentPairs[s] as number) % thinning === 0) kept.push(s);
-  const position = new Float32Array(6 * kept.length);
-  const start = new Float32Array(2 * kept.length);
-  kept.forEach((s, k) => {
-    const ends = segments.subarray(6 * s, 6 * s + 6);
-    position.set(ends, 6 * k);
-    const [ax = 0, ay = 0, az = 0, bx = 0, by = 0, bz = 0] = ends;
-    start[2 * k] = segmentStarts[s] as number;
-    start[2 * k + 1] = (segmentStarts[s] as number) + Math.hypot(bx - ax, by - ay, bz - az);
-  });
+  const total = segmentStarts.length;
+  const position = thinning === 1 ? segments.slice() : new Float32Array(segments.length);
+  const start = new Float32Array(2 * total);
+  let kept = 0;
+  for (let s = 0; s < total; s++) {
+    if ((segmentPairs[s] as number) % thinning !== 0) continue;
+    if (thinning > 1) position.set(segments.subarray(6 * s, 6 * s + 6), 6 * kept);
+    const from = segmentStarts[s] as number;
+    start[2 * kept] = from;
+    start[2 * kept + 1] = from + segmentLength(segments, s);
+    kept++;
+  }
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(position, 3));
   geometry.setAttribute('start', new BufferAttribute(start, 1));
+  geometry.setDrawRange(0, 2 * kept);
   return geometry;
+}
+
+function segmentLength(segments: Float32Array, s: number): number {
+  const d = (k: number) => (segments[6 * s + 3 + k] as number) - (segments[6 * s + k] as number);
+  return Math.hypot(d(0), d(1), d(2));
+}
+
+function meanLength(segments: Float32Array): number {
+  const total = segments.length / 6;
+  let sum = 0;
+  for (let s = 0; s < total; s++) sum += segmentLength(segments, s);
+  return sum / total;
 }

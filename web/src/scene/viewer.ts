@@ -252,7 +252,7 @@ export class Viewer {
     const upright = points.some((point) => Math.abs(point.y) > 1e-9);
     this.camera.frame(
       points,
-      flat ? (upright ? new Vector3(0, 0, 1) : new Vector3(0, 1, 0.45)) : new Vector3(0.12, 0.9, 1),
+      flat ? (upright ? new Vector3(0, 0, 1) : new Vector3(0, 1, 0.02)) : new Vector3(0.12, 0.9, 1),
       aspect,
     );
     this.request();
