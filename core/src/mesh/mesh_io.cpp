@@ -12,7 +12,7 @@ namespace {
 /// A stretch [from, to] of the progress of a call, as a monitor of its own.
 struct Stretch {
     Monitor whole;
-    double from, to;
+    double from = 0, to = 1;
 
     Monitor monitor() { return {tick, this}; }
     static bool tick(void* user, double fraction) {
