@@ -207,6 +207,26 @@ describe('the picture', () => {
     await context.close();
   });
 
+  it('turns once at first and then rests; not at all for those who ask for less motion', async () => {
+    const positions = async (reducedMotion: 'reduce' | 'no-preference') => {
+      const { page, close } = await visit(site, { reducedMotion });
+      const seen: number[] = [];
+      for (let k = 0; k < 12; k++) {
+        seen.push((await page.evaluate(() => globalThis.polylap.project('a', 0)?.x)) ?? Number.NaN);
+        await page.waitForTimeout(300);
+      }
+      await close();
+      return seen;
+    };
+    const moving = await positions('no-preference');
+    const still = await positions('reduce');
+    expect(new Set(still).size).toBe(1);
+    expect(new Set(moving).size).toBeGreaterThan(2);
+    // It comes to rest where it would have been without.
+    expect(moving.at(-1)).toBeCloseTo(still[0] ?? Number.NaN, 3);
+    expect(moving.at(-2)).toBe(moving.at(-1));
+  });
+
   it('follows the theme without a reload', async () => {
     const { page, close } = await visit(site);
     const card = () =>

@@ -4,6 +4,7 @@ import { presets } from '../../web/src/state.js';
 import {
   chooseMesh,
   clickVertex,
+  openFile,
   picture,
   readout,
   type Site,
@@ -103,6 +104,22 @@ describe('smoothing', () => {
     await chooseMesh(page, 'saddle');
     expect(await page.locator('[data-readout=volume][data-of=a]').textContent()).toBe('none');
     expect(await page.getByText('No volume:').isVisible()).toBe(true);
+  });
+});
+
+describe('smoothing that cannot go on', () => {
+  it('says which face is to blame and leaves the surfaces as they were', async () => {
+    const { page } = at;
+    const flat = 'v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 4\nf 1 2 3\n';
+    await openFile(page, 'flat.obj', flat);
+    await page.waitForFunction(() => globalThis.polylap.results().mesh?.vertices === 4);
+    await settled(page);
+    await page.getByRole('button', { name: 'Play' }).click();
+    await page.locator('.error').waitFor({ state: 'visible' });
+    expect(await page.locator('.error').textContent()).toMatch(/Both sides stopped at step 0.*face 1/i);
+    expect(await page.getByRole('button', { name: 'Play' }).isVisible()).toBe(true);
+    expect([await readout(page, 'step', 'a'), await readout(page, 'step', 'b')]).toEqual([0, 0]);
+    await page.getByRole('button', { name: 'Dismiss' }).click();
   });
 });
 

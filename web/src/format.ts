@@ -18,6 +18,8 @@ export function real(value: number, digits = 4): string {
   if (!Number.isFinite(value)) return value > 0 ? '∞' : '−∞';
   const size = Math.abs(value);
   if (size !== 0 && (size < 1e-4 || size >= 1e6)) return minus(value.toExponential(digits - 1));
+  const whole = Math.max(1, Math.floor(Math.log10(size)) + 1);
+  if (whole >= digits) return count(value);
   return minus(value.toPrecision(digits));
 }
 

@@ -1,0 +1,138 @@
+/** The parts of the page that need no browser. */
+import { describe, expect, it } from 'vitest';
+import { load } from '../../wasm/src/node.js';
+import { boundaryPins, examplePins } from '../../web/src/boundary-pins.js';
+import { count, exact, real, weight } from '../../web/src/format.js';
+import { latest } from '../../web/src/latest.js';
+import { looksLikeObj } from '../../web/src/layout/intake.js';
+import type { Mesh } from '../../web/src/polylap.js';
+import { sparseRow } from '../../web/src/sparse-row.js';
+import { initialState, withPin } from '../../web/src/state.js';
+import { Store } from '../../web/src/store.js';
+import { isCancelled, Work } from '../../web/src/work.js';
+
+describe('numbers for people', () => {
+  it.each([
+    [count(2048), '2\u202f048'],
+    [count(1234567), '1\u202f234\u202f567'],
+    [count(-12), '−12'],
+    [exact(4 / 3), '1.33333'],
+    [exact(1), '1'],
+    [exact(-0.25), '−0.25'],
+    [exact(Number.NaN), 'undefined'],
+    [real(0), '0'],
+    [real(0.0664213, 3), '0.0664'],
+    [real(112530.4, 5), '112\u202f530'],
+    [real(14.6032, 5), '14.603'],
+    [real(2.5e-9, 3), '2.50e−9'],
+    [weight(-0.4444), '−0.444'],
+    [weight(-1e-9), '0.000'],
+  ])('%s', (text, expected) => expect(text).toBe(expected));
+});
+
+describe('state', () => {
+  it('is plain data', () => {
+    const state = initialState();
+    expect(JSON.parse(JSON.stringify(state))).toEqual(state);
+  });
+
+  it('sets, changes in place and removes pins without touching the old list', () => {
+    const first = withPin(withPin([], 3, 1), 5, 0);
+    expect(withPin(first, 3, 2)).toEqual([
+      { vertex: 3, value: 2 },
+      { vertex: 5, value: 0 },
+    ]);
+    expect(withPin(first, 3, null)).toEqual([{ vertex: 5, value: 0 }]);
+    expect(first[0]).toEqual({ vertex: 3, value: 1 });
+  });
+
+  it('tells a watcher only what it looks at, until it stops', () => {
+    const store = new Store({ a: 1, b: 1 });
+    const seen: number[] = [];
+    const stop = store.watch(
+      ({ a }) => [a],
+      (a) => seen.push(a),
+    );
+    store.set({ b: 2 });
+    store.set({ a: 2 });
+    stop();
+    store.set({ a: 3 });
+    expect(seen).toEqual([1, 2]);
+  });
+});
+
+describe('work', () => {
+  it('keeps of many requests the one under way and the newest', async () => {
+    const started: number[] = [];
+    const finish: (() => void)[] = [];
+    const ask = latest((value: number) => {
+      started.push(value);
+      return new Promise<void>((done) => finish.push(done));
+    });
+    for (const value of [1, 2, 3, 4]) ask(value);
+    expect(started).toEqual([1]);
+    finish[0]?.();
+    await new Promise((done) => setTimeout(done));
+    expect(started).toEqual([1, 4]);
+    finish[1]?.();
+    await new Promise((done) => setTimeout(done));
+    ask(5);
+    expect(started).toEqual([1, 4, 5]);
+  });
+
+  it('announces what takes long, with its progress, and cancels it', async () => {
+    const told: (string | null)[] = [];
+    const work = new Work((busy) => told.push(busy && `${busy.label} ${busy.fraction}`));
+    await work.run('short', () => Promise.resolve());
+    expect(told.filter((line) => line !== null)).toEqual([]);
+    const long = work.run('long', ({ signal, onProgress }) => {
+      setTimeout(() => onProgress(0.5), 200);
+      return new Promise((_, reject) => {
+        signal.addEventListener('abort', () => reject(signal.reason));
+      });
+    });
+    await new Promise((done) => setTimeout(done, 300));
+    expect(work.idle).toBe(false);
+    work.cancel();
+    expect(isCancelled(await long.catch((reason) => reason))).toBe(true);
+    expect(told.filter((line) => line !== null)).toEqual(['long null', 'long 0.5']);
+    expect(told.at(-1)).toBe(null);
+    expect(work.idle).toBe(true);
+  });
+});
+
+describe('meshes and matrices', () => {
+  const grid = async () => {
+    const session = (await load()).make({ shape: 'grid', nx: 8, ny: 8, width: 8, height: 8 });
+    return { session, mesh: { ...session.info(), geometry: session.geometry() } as unknown as Mesh };
+  };
+
+  it('pins a boundary to x² − y² within [-1, 1]', async () => {
+    const { mesh } = await grid();
+    const pins = boundaryPins(mesh, 'x2-y2', 7);
+    const at = new Map(pins.map(({ vertex, value }) => [vertex, value]));
+    expect(pins).toHaveLength(32);
+    expect([at.get(0), at.get(4), at.get(36), at.get(1)]).toEqual([0, -1, 1, 0.5625 - 1]);
+    expect(boundaryPins(mesh, 'value', 7).every(({ value }) => value === 7)).toBe(true);
+    expect(boundaryPins(mesh, 'corner', 7).filter(({ value }) => value === 1)).toEqual([{ vertex: 80, value: 1 }]);
+  });
+
+  it('finds two vertices far apart', async () => {
+    const { mesh } = await grid();
+    expect(examplePins(mesh).map(({ value }) => value)).toEqual([0, 1]);
+  });
+
+  it('reads a row that sums to zero', async () => {
+    const { session } = await grid();
+    const row = sparseRow(session.matrices({ id: 'alexa-wardetzky' }).stiffness, 40);
+    expect(row.size).toBe(9);
+    expect([...row.values()].reduce((sum, value) => sum + value, 0)).toBeCloseTo(0, 12);
+    expect(row.get(41)).toBeCloseTo(-2, 12);
+  });
+
+  it('tells OBJ text from other text', () => {
+    expect(looksLikeObj('# a mesh\nv 0 0 0\n')).toBe(true);
+    expect(looksLikeObj('very nice weather')).toBe(false);
+    expect(looksLikeObj('v for victory')).toBe(false);
+  });
+});
