@@ -10,8 +10,12 @@
 namespace polylap::test {
 namespace {
 
-SparseMatrix sparse(const Matrix& dense) { return dense.sparseView(); }
-Topology topology_of(const PolygonMesh& mesh) { return build_topology(*mesh.connectivity()); }
+SparseMatrix sparse(const Matrix& dense) {
+    return dense.sparseView();
+}
+Topology topology_of(const PolygonMesh& mesh) {
+    return build_topology(*mesh.connectivity());
+}
 
 TEST(Weights, AreCountedInOrderedPairs) {
     Matrix s(4, 4);
@@ -89,8 +93,9 @@ TEST(Weights, AgreeWithTheMatrixOnTheZoo) {
                 EXPECT_EQ(w.nonzero_ordered, all) << name;
             }
             EXPECT_EQ(2 * static_cast<Index>(w.negative.size()), w.negative_ordered) << name;
-            EXPECT_TRUE(std::is_sorted(w.negative.begin(), w.negative.end(),
-                                       [](const Weight& a, const Weight& b) { return std::pair(a.i, a.j) < std::pair(b.i, b.j); }));
+            EXPECT_TRUE(std::is_sorted(w.negative.begin(), w.negative.end(), [](const Weight& a, const Weight& b) {
+                return std::pair(a.i, a.j) < std::pair(b.i, b.j);
+            }));
             for (const Weight& pair : w.negative) {
                 EXPECT_LT(pair.i, pair.j);
                 EXPECT_EQ(pair.value, std::min(-s.coeff(pair.i, pair.j), -s.coeff(pair.j, pair.i)));
@@ -113,7 +118,8 @@ TEST(Shape, NonPlanarityOfTheSaddleQuad) {
     for (const double h : {0.1, 1.0}) {
         for (const double scale : {1e-6, 1.0, 1e6}) {
             const Vector3 far(1e3 * scale, 0, 0);
-            const auto quad = make_face({far, far + scale * Vector3(1, 0, h), far + scale * Vector3(1, 1, 0), far + scale * Vector3(0, 1, h)});
+            const auto quad = make_face(
+                {far, far + scale * Vector3(1, 0, h), far + scale * Vector3(1, 1, 0), far + scale * Vector3(0, 1, h)});
             EXPECT_NEAR(measure_shape(quad, topology_of(quad)).mean_non_planarity, h / 2, 1e-12);
         }
     }
@@ -123,7 +129,8 @@ TEST(Shape, NonPlanarityOfTheSaddleQuad) {
 }
 
 TEST(Shape, IsFiniteOnFacesWithoutArea) {
-    const auto mesh = make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}}, {{0, 1, 2, 3}, {1, 4, 6, 5}});
+    const auto mesh = make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}},
+                                {{0, 1, 2, 3}, {1, 4, 6, 5}});
     const ShapeMeasures m = measure_shape(mesh, topology_of(mesh));
     EXPECT_NEAR(m.area, 1, 1e-15);
     EXPECT_TRUE(std::isfinite(m.mean_non_planarity));
@@ -134,9 +141,11 @@ TEST(Volume, OfClosedMeshes) {
     EXPECT_NEAR(get(enclosed_volume(cube, topology_of(cube))), 1, 1e-13);
     const auto far = get(cube.with_positions(cube.positions().rowwise() + Eigen::RowVector3d(1e6, -3e6, 2e6)));
     EXPECT_NEAR(get(enclosed_volume(far, topology_of(far))), 1, 1e-8);
-    const auto tetrahedron = make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}});
+    const auto tetrahedron =
+        make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}});
     EXPECT_NEAR(get(enclosed_volume(tetrahedron, topology_of(tetrahedron))), 1.0 / 6, 1e-16);
-    const auto inside_out = make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {0, 2, 3}});
+    const auto inside_out =
+        make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {0, 2, 3}});
     EXPECT_NEAR(get(enclosed_volume(inside_out, topology_of(inside_out))), -1.0 / 6, 1e-16);
 }
 
@@ -152,7 +161,8 @@ TEST(Volume, OnlyOfClosedOrientedMeshes) {
     EXPECT_NE(open.error().message.find(std::to_string(e.v0)), std::string::npos) << open.error().message;
     EXPECT_NE(open.error().message.find(std::to_string(e.v1)), std::string::npos) << open.error().message;
 
-    const auto flipped = make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 2, 3}});
+    const auto flipped =
+        make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 2, 3}});
     const auto disagree = enclosed_volume(flipped, topology_of(flipped));
     ASSERT_FALSE(disagree.ok());
     EXPECT_EQ(disagree.error().code, ErrorCode::non_manifold_edge);

@@ -48,7 +48,8 @@ TEST(Dirichlet, EqualsDenseElimination) {
             }
             const Matrix u = get(get(DirichletProblem::create(s, fixed)).solve(values));
             const Matrix expected = eliminate(s, fixed, values);
-            EXPECT_LE((u - expected).cwiseAbs().maxCoeff(), 1e-9 * values.cwiseAbs().maxCoeff()) << name << ", " << info->id;
+            EXPECT_LE((u - expected).cwiseAbs().maxCoeff(), 1e-9 * values.cwiseAbs().maxCoeff())
+                << name << ", " << info->id;
             for (std::size_t k = 0; k < fixed.size(); ++k) {
                 EXPECT_EQ(u.row(fixed[k]), values.row(static_cast<Eigen::Index>(k)));
             }
@@ -67,8 +68,9 @@ TEST(Dirichlet, FactorsOnceForManyValues) {
     EXPECT_LE((get(problem.solve(Matrix::Constant(3, 1, 5))).array() - 5).abs().maxCoeff(), 1e-12);
 }
 
-// Edge midpoints of the 2×2 grid fixed to 1, corners to 0. S at the centre sums four squares: diagonal 4 (½ + λ), to each midpoint -2λ, to each
-// corner λ - ½, so u = 4 · 2λ / (2 + 4λ) = 4λ/(1 + 2λ). Planar, cut by any diagonal: the five-point star, u = 1.
+// Edge midpoints of the 2×2 grid fixed to 1, corners to 0. S at the centre sums four squares: diagonal 4 (½ + λ), to
+// each midpoint -2λ, to each corner λ - ½, so u = 4 · 2λ / (2 + 4λ) = 4λ/(1 + 2λ). Planar, cut by any diagonal: the
+// five-point star, u = 1.
 TEST(Dirichlet, TheCentreOfTwoByTwoSquares) {
     const auto grid = get(make_grid(2, 2, 2, 2));
     const std::vector<Index> fixed{0, 1, 2, 3, 5, 6, 7, 8};
@@ -92,7 +94,8 @@ TEST(Dirichlet, TheMaximumPrincipleFailsWithNegativeWeights) {
     ASSERT_EQ(fixed[0], 0);
     values[0] = 1;
     const auto least = [&](const char* id, std::vector<double> parameters) {
-        return get(get(DirichletProblem::create(stiffness(grid, id, std::move(parameters)), fixed)).solve(values)).minCoeff();
+        return get(get(DirichletProblem::create(stiffness(grid, id, std::move(parameters)), fixed)).solve(values))
+            .minCoeff();
     };
     EXPECT_NEAR(least("alexa-wardetzky", {1}), -0.1147, 5e-5);
     EXPECT_NEAR(least("alexa-wardetzky", {0.51}), -0.0030, 5e-5);
@@ -135,7 +138,8 @@ TEST(Dirichlet, UnreferencedVerticesAreNobodys) {
 
 TEST(Dirichlet, EverythingFixed) {
     const SparseMatrix s = stiffness(specimen("regular-4"), operators().front()->id);
-    const Matrix u = get(get(DirichletProblem::create(s, std::vector<Index>{2, 0, 3, 1})).solve(Eigen::Vector4d(1, 2, 3, 4)));
+    const Matrix u =
+        get(get(DirichletProblem::create(s, std::vector<Index>{2, 0, 3, 1})).solve(Eigen::Vector4d(1, 2, 3, 4)));
     EXPECT_EQ(u.col(0), Eigen::Vector4d(2, 4, 1, 3));
 }
 
@@ -153,8 +157,8 @@ TEST(Dirichlet, RefusesBadVerticesAndValues) {
     expect_refused({std::numeric_limits<Index>::max()}, "2147483647");
 
     const auto problem = get(DirichletProblem::create(s, std::vector<Index>{0, 8}));
-    for (const Matrix& values : {Matrix(Eigen::Vector3d(1, 2, 3)), Matrix(Matrix::Zero(1, 1)), Matrix(Eigen::Vector2d(0, nan)),
-                                 Matrix(Eigen::Vector2d(infinity, 0))}) {
+    for (const Matrix& values : {Matrix(Eigen::Vector3d(1, 2, 3)), Matrix(Matrix::Zero(1, 1)),
+                                 Matrix(Eigen::Vector2d(0, nan)), Matrix(Eigen::Vector2d(infinity, 0))}) {
         const auto u = problem.solve(values);
         ASSERT_FALSE(u.ok());
         EXPECT_EQ(u.error().code, ErrorCode::bad_argument);
@@ -167,11 +171,13 @@ TEST(Dirichlet, SingularSystemsAreRefused) {
     const auto problem = DirichletProblem::create(stiffness(grid, "alexa-wardetzky", {0}), std::vector<Index>{0});
     ASSERT_FALSE(problem.ok());
     // Corners join only along diagonals there, so the graph falls into the two colours of the board.
-    EXPECT_TRUE(problem.error().code == ErrorCode::not_positive_definite || problem.error().code == ErrorCode::unconstrained_component);
+    EXPECT_TRUE(problem.error().code == ErrorCode::not_positive_definite ||
+                problem.error().code == ErrorCode::unconstrained_component);
     EXPECT_GE(problem.error().element, 0);
     EXPECT_LT(problem.error().element, grid.vertex_count());
 
-    const auto noisy = specimen("quad-torus-32x16-noisy");  // here the graph is connected, and the kernel has dimension 2
+    const auto noisy =
+        specimen("quad-torus-32x16-noisy");  // here the graph is connected, and the kernel has dimension 2
     const auto singular = DirichletProblem::create(stiffness(noisy, "alexa-wardetzky", {0}), std::vector<Index>{0});
     ASSERT_FALSE(singular.ok());
     EXPECT_EQ(singular.error().code, ErrorCode::not_positive_definite);

@@ -52,7 +52,8 @@ TEST(DisplayTriangles, FillEachFaceInTurn) {
 }
 
 TEST(DisplayTriangles, AreThePlanarOperators) {
-    // The picture's diagonals are exactly those that the operator cuts along: cotan of the display triangles, projected, is its matrix.
+    // The picture's diagonals are exactly those that the operator cuts along: cotan of the display triangles,
+    // projected, is its matrix.
     const auto& mesh = specimen("wavy-7");
     std::vector<Vector3> corners;
     gather_corners(mesh, 0, corners);
@@ -78,8 +79,9 @@ TEST(DisplayTriangles, AreThePlanarOperators) {
 }
 
 TEST(DisplayTriangles, FacesThatCannotBeCutGetAFan) {
-    const auto mesh = make_mesh({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {4, 0, 0}, {1, 1, 0}, {3, 1.5, 0}, {5, 0, 0}},
-                                {{0, 1, 2, 3}, {0, 4, 5, 6}, {0, 2, 4, 7}, {0, 2, 1}});
+    const auto mesh =
+        make_mesh({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {4, 0, 0}, {1, 1, 0}, {3, 1.5, 0}, {5, 0, 0}},
+                  {{0, 1, 2, 3}, {0, 4, 5, 6}, {0, 2, 4, 7}, {0, 2, 1}});
     const DisplayTriangles display = triangulate_for_display(mesh);
     EXPECT_EQ(display.face, (std::vector<Index>{0, 0, 1, 1, 2, 2, 3}));
     EXPECT_EQ(display.triangles[0], (std::array<Index, 3>{0, 1, 2}));

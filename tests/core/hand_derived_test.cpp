@@ -18,8 +18,12 @@ constexpr TriangulationRule rules[] = {TriangulationRule::delaunay, Triangulatio
 
 const std::vector<Vector3> unit_square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 
-Matrix aw(const PolygonMesh& mesh, double lambda) { return get(alexa_wardetzky_stiffness(mesh, {lambda})); }
-Matrix planar(const PolygonMesh& mesh, TriangulationRule rule) { return get(planar_stiffness(mesh, {rule})); }
+Matrix aw(const PolygonMesh& mesh, double lambda) {
+    return get(alexa_wardetzky_stiffness(mesh, {lambda}));
+}
+Matrix planar(const PolygonMesh& mesh, TriangulationRule rule) {
+    return get(planar_stiffness(mesh, {rule}));
+}
 
 void expect_equal(const Matrix& actual, const Matrix& expected, double tolerance = 1e-14) {
     ASSERT_EQ(actual.rows(), expected.rows());
@@ -27,9 +31,11 @@ void expect_equal(const Matrix& actual, const Matrix& expected, double tolerance
     EXPECT_LE((actual - expected).cwiseAbs().maxCoeff(), tolerance) << "is\n" << actual << "\nnot\n" << expected;
 }
 
-// Alexa–Wardetzky on the unit square about its centre: B = (0,-½), (½,0), (0,½), (-½,0) and |a| = 1. (δᵀB)ᵢ = Bᵢ₋₁ - Bᵢ gives
-// (-½,½), (-½,-½), (½,-½), (½,½), whose products are ½ on the diagonal, 0 along edges, -½ across. ker Ēᵀ is spanned by (1,1,1,1)/2, which δᵀ
-// kills, and c = (1,-1,1,-1)/2 with δᵀc = (-1,1,-1,1): λ on the diagonal and across, -λ along edges.
+// Alexa–Wardetzky on the unit square about its centre: B = (0,-½), (½,0), (0,½), (-½,0) and |a| = 1. (δᵀB)ᵢ = Bᵢ₋₁ - Bᵢ
+// gives
+// (-½,½), (-½,-½), (½,-½), (½,½), whose products are ½ on the diagonal, 0 along edges, -½ across. ker Ēᵀ is spanned by
+// (1,1,1,1)/2, which δᵀ kills, and c = (1,-1,1,-1)/2 with δᵀc = (-1,1,-1,1): λ on the diagonal and across, -λ along
+// edges.
 TEST(HandDerived, AlexaWardetzkyOnTheUnitSquare) {
     for (const double l : {0.0, 0.25, 0.5, 1.0, 2.0, 7.5}) {
         Matrix expected(4, 4);
@@ -41,7 +47,8 @@ TEST(HandDerived, AlexaWardetzkyOnTheUnitSquare) {
     }
 }
 
-// Any diagonal of the square makes two right isosceles triangles: ½ cot 45° = ½ along the edges, ½ (cot 90° + cot 90°) = 0 across.
+// Any diagonal of the square makes two right isosceles triangles: ½ cot 45° = ½ along the edges, ½ (cot 90° + cot 90°)
+// = 0 across.
 TEST(HandDerived, PlanarOnTheUnitSquare) {
     Matrix expected(4, 4);
     expected << 1, -0.5, 0, -0.5,  //
@@ -67,10 +74,11 @@ TEST(HandDerived, EquilateralTriangle) {
     }
 }
 
-// Trapezium 0 (-2,0), 1 (2,0), 2 (1,1), 3 (-1,1), |a| = 3. About (0,½): B = (0,-½), (1.5,0), (0,½), (-1.5,0), so that (δᵀB)ᵢ = Bᵢ₋₁ - Bᵢ is
+// Trapezium 0 (-2,0), 1 (2,0), 2 (1,1), 3 (-1,1), |a| = 3. About (0,½): B = (0,-½), (1.5,0), (0,½), (-1.5,0), so that
+// (δᵀB)ᵢ = Bᵢ₋₁ - Bᵢ is
 // (-1.5,½), (-1.5,-½), (1.5,-½), (1.5,½); their products over |a| are `gradient`.
-// Edges (4,0), (-1,1), (-2,0), (-1,-1): c in ker Ēᵀ has c₁ = c₃ and 4c₀ = 2c₁ + 2c₂; orthogonal to (1,1,1,1), which δᵀ kills, it is
-// (1,-3,5,-3)/√44, and (δᵀc)ᵢ = cᵢ₋₁ - cᵢ is (-4,4,-8,8)/√44.
+// Edges (4,0), (-1,1), (-2,0), (-1,-1): c in ker Ēᵀ has c₁ = c₃ and 4c₀ = 2c₁ + 2c₂; orthogonal to (1,1,1,1), which δᵀ
+// kills, it is (1,-3,5,-3)/√44, and (δᵀc)ᵢ = cᵢ₋₁ - cᵢ is (-4,4,-8,8)/√44.
 TEST(HandDerived, AlexaWardetzkyOnTheTrapezium) {
     const auto mesh = make_face({{-2, 0, 0}, {2, 0, 0}, {1, 1, 0}, {-1, 1, 0}});
     Matrix gradient(4, 4);
@@ -87,9 +95,10 @@ TEST(HandDerived, AlexaWardetzkyOnTheTrapezium) {
     }
 }
 
-// The trapezium cut along 0–2: triangle 012 has cot γ₀ = 3, cot γ₁ = 1, cot γ₂ = -½ (edges 2→0 = (-3,-1), 2→1 = (1,-1): dot -2, cross 4); triangle 023
-// has cot γ₀ = 2 ((3,1)·(1,1) = 4, cross 2), cot γ₂ = 3 ((-3,-1)·(-2,0) = 6, cross 2), cot γ₃ = -1. Weights ½ cot: w₀₁ = -¼, w₁₂ = 3/2, w₂₃ = 1, w₃₀ = 3/2,
-// w₀₂ = ½ (1 - 1) = 0: its corners lie on a circle, so every rule has the same matrix.
+// The trapezium cut along 0–2: triangle 012 has cot γ₀ = 3, cot γ₁ = 1, cot γ₂ = -½ (edges 2→0 = (-3,-1), 2→1 = (1,-1):
+// dot -2, cross 4); triangle 023 has cot γ₀ = 2 ((3,1)·(1,1) = 4, cross 2), cot γ₂ = 3 ((-3,-1)·(-2,0) = 6, cross 2),
+// cot γ₃ = -1. Weights ½ cot: w₀₁ = -¼, w₁₂ = 3/2, w₂₃ = 1, w₃₀ = 3/2, w₀₂ = ½ (1 - 1) = 0: its corners lie on a
+// circle, so every rule has the same matrix.
 TEST(HandDerived, PlanarOnTheTrapezium) {
     const auto mesh = make_face({{-2, 0, 0}, {2, 0, 0}, {1, 1, 0}, {-1, 1, 0}});
     Matrix expected(4, 4);
@@ -104,8 +113,8 @@ TEST(HandDerived, PlanarOnTheTrapezium) {
 
 // Quad 0 (0,0), 1 (1.6,.15), 2 (1.9,1), 3 (-.1,.9).
 // Cut 1–3, opposite angles at 0 and 2: cot γ₀ = (1.6·-.1 + .15·.9)/(1.6·.9 + .15·.1) = -.025/1.455;
-// cot γ₂ = ((-2)(-.3) + (-.1)(-.85))/((-2)(-.85) - (-.1)(-.3)) = .685/1.67. w₁₃ = ½ (.685/1.67 - .025/1.455) = 0.19649835…
-// Cut 0–2, opposite angles at 1 and 3: cot γ₁ = (.3·-1.6 + .85·-.15)/(.3·-.15 + .85·1.6) = -.6075/1.315;
+// cot γ₂ = ((-2)(-.3) + (-.1)(-.85))/((-2)(-.85) - (-.1)(-.3)) = .685/1.67. w₁₃ = ½ (.685/1.67 - .025/1.455) =
+// 0.19649835… Cut 0–2, opposite angles at 1 and 3: cot γ₁ = (.3·-1.6 + .85·-.15)/(.3·-.15 + .85·1.6) = -.6075/1.315;
 // cot γ₃ = (.1·2 - .9·.1)/(.1·.1 + .9·2) = .11/1.81. w₀₂ = ½ (.11/1.81 - .6075/1.315) = -0.20060148…
 TEST(HandDerived, TheDiagonalOfAQuad) {
     const auto mesh = make_face({{0, 0, 0}, {1.6, 0.15, 0}, {1.9, 1, 0}, {-0.1, 0.9, 0}});
@@ -117,7 +126,8 @@ TEST(HandDerived, TheDiagonalOfAQuad) {
     const Matrix best = planar(mesh, TriangulationRule::delaunay);
     EXPECT_NEAR(best(1, 3), -delaunay, 1e-14);
     EXPECT_EQ(best(0, 2), 0);
-    // The angles of cut 0–2 include one of 114.8° at corner 1, those of cut 1–3 none above 91°; diagonal 1–3 is also the shorter one.
+    // The angles of cut 0–2 include one of 114.8° at corner 1, those of cut 1–3 none above 91°; diagonal 1–3 is also
+    // the shorter one.
     expect_equal(planar(mesh, TriangulationRule::min_max_angle), best);
     expect_equal(planar(mesh, TriangulationRule::shortest_diagonal), best);
 
@@ -126,7 +136,8 @@ TEST(HandDerived, TheDiagonalOfAQuad) {
     EXPECT_EQ(fan(1, 3), 0);
 }
 
-// Regular n-gon of circumradius 1, cut anywhere: an edge is seen from the others under π/n, so w = ½ cot(π/n); diagonals are cocircular: 0.
+// Regular n-gon of circumradius 1, cut anywhere: an edge is seen from the others under π/n, so w = ½ cot(π/n);
+// diagonals are cocircular: 0.
 TEST(HandDerived, PlanarOnRegularPolygons) {
     for (const int n : {5, 6}) {
         const double w = 0.5 / std::tan(std::numbers::pi / n);
@@ -141,9 +152,9 @@ TEST(HandDerived, PlanarOnRegularPolygons) {
     }
 }
 
-// On a regular n-gon δ is diagonal in the Fourier basis: mode k has |1 - ω^k|² = 4 sin²(πk/n). Modes ±1 are x and y, whose energies are the area,
-// A = (n/2) sin(2π/n), over |x|² = n/2: eigenvalue sin(2π/n). All others (but the constants) get λ · 4 sin²(πk/n).
-// S_ij = (1/n) Σ_k μ_k cos(2πk(i-j)/n).
+// On a regular n-gon δ is diagonal in the Fourier basis: mode k has |1 - ω^k|² = 4 sin²(πk/n). Modes ±1 are x and y,
+// whose energies are the area, A = (n/2) sin(2π/n), over |x|² = n/2: eigenvalue sin(2π/n). All others (but the
+// constants) get λ · 4 sin²(πk/n). S_ij = (1/n) Σ_k μ_k cos(2πk(i-j)/n).
 TEST(HandDerived, AlexaWardetzkyOnRegularPolygons) {
     const double pi = std::numbers::pi;
     for (const int n : {4, 5, 6, 11}) {
@@ -165,7 +176,8 @@ TEST(HandDerived, AlexaWardetzkyOnRegularPolygons) {
 
 // Each corner gets |a|/n: a unit square next to a triangle of area ½.
 TEST(HandDerived, LumpedMass) {
-    const auto mesh = make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {7, 7, 7}}, {{0, 1, 2, 3}, {1, 4, 2}});
+    const auto mesh =
+        make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {7, 7, 7}}, {{0, 1, 2, 3}, {1, 4, 2}});
     const SparseMatrix m = get(mass_matrix(mesh));
     Vector expected(6);
     expected << 1.0 / 4, 1.0 / 4 + 1.0 / 6, 1.0 / 4 + 1.0 / 6, 1.0 / 4, 1.0 / 6, 0;

@@ -20,7 +20,9 @@ using Polygon = std::vector<Eigen::Vector2d>;
 using Triangle = std::array<Index, 3>;
 using Triangulation = std::vector<Triangle>;
 
-inline const Eigen::Vector2d& at(std::span<const Eigen::Vector2d> p, Index i) { return p[static_cast<std::size_t>(i)]; }
+inline const Eigen::Vector2d& at(std::span<const Eigen::Vector2d> p, Index i) {
+    return p[static_cast<std::size_t>(i)];
+}
 
 /// Twice the signed area of a triangle.
 inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
@@ -36,7 +38,8 @@ inline double area(std::span<const Eigen::Vector2d> p) {
 }
 
 /// Segments that cross in their interiors.
-inline bool cross_properly(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c, const Eigen::Vector2d& d) {
+inline bool cross_properly(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
+                           const Eigen::Vector2d& d) {
     return cross(a, b, c) * cross(a, b, d) < 0 && cross(c, d, a) * cross(c, d, b) < 0;
 }
 
@@ -142,7 +145,8 @@ inline bool angles_less(const std::vector<double>& a, const std::vector<double>&
     return false;
 }
 
-/// The stiffness of one face after Alexa & Wardetzky, C from a singular value decomposition as in the thesis' listing A.1.
+/// The stiffness of one face after Alexa & Wardetzky, C from a singular value decomposition as in the thesis' listing
+/// A.1.
 inline Matrix alexa_wardetzky(const std::vector<Vector3>& p, double lambda) {
     const auto n = static_cast<Eigen::Index>(p.size());
     Matrix x(n, 3);

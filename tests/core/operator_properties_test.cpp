@@ -1,4 +1,5 @@
-// Every line of the operator table, at all its choices and several values of its parameters, on the whole zoo. Nothing here knows an operator.
+// Every line of the operator table, at all its choices and several values of its parameters, on the whole zoo. Nothing
+// here knows an operator.
 
 #include <gtest/gtest.h>
 
@@ -12,10 +13,10 @@
 #include "naive.hpp"
 #include "polylap/apply/diagnostics.hpp"
 #include "polylap/face/vector_area.hpp"
+#include "polylap/mesh/shapes.hpp"
 #include "polylap/operators/alexa_wardetzky.hpp"
 #include "polylap/operators/mass.hpp"
 #include "polylap/operators/planar.hpp"
-#include "polylap/mesh/shapes.hpp"
 #include "zoo.hpp"
 
 namespace polylap::test {
@@ -33,7 +34,8 @@ std::optional<OperatorMatrices> try_build(const PolygonMesh& mesh, const Operato
     return std::nullopt;
 }
 
-/// Calls `visit(specimen, spec, matrices, scale)` for everything that can be built; scale is the largest diagonal entry of S.
+/// Calls `visit(specimen, spec, matrices, scale)` for everything that can be built; scale is the largest diagonal entry
+/// of S.
 template <class Visit>
 void for_all(Visit&& visit, Index most_vertices = 1 << 20) {
     for (const OperatorSpec& spec : all_specs()) {
@@ -47,22 +49,31 @@ void for_all(Visit&& visit, Index most_vertices = 1 << 20) {
     }
 }
 
-double largest(const SparseMatrix& a) { return a.nonZeros() == 0 ? 0 : a.coeffs().abs().maxCoeff(); }
-double difference(const SparseMatrix& a, const SparseMatrix& b) { return largest(SparseMatrix(a - b)); }
+double largest(const SparseMatrix& a) {
+    return a.nonZeros() == 0 ? 0 : a.coeffs().abs().maxCoeff();
+}
+double difference(const SparseMatrix& a, const SparseMatrix& b) {
+    return largest(SparseMatrix(a - b));
+}
 
 // --- the claims: how far each is from holding, relative to the matrix ---
 
-constexpr double holds = 1e-11;   // beyond rounding
-constexpr double broken = 1e-6;   // a counter-example that no rounding makes
+constexpr double holds = 1e-11;  // beyond rounding
+constexpr double broken = 1e-6;  // a counter-example that no rounding makes
 
-double asymmetry(const PolygonMesh&, const SparseMatrix& s) { return difference(s, s.transpose()); }
+double asymmetry(const PolygonMesh&, const SparseMatrix& s) {
+    return difference(s, s.transpose());
+}
 
 double negativity(const PolygonMesh&, const SparseMatrix& s) {
-    const Eigen::SelfAdjointEigenSolver<Matrix> solver(Matrix((s + SparseMatrix(s.transpose())) / 2), Eigen::EigenvaluesOnly);
+    const Eigen::SelfAdjointEigenSolver<Matrix> solver(Matrix((s + SparseMatrix(s.transpose())) / 2),
+                                                       Eigen::EigenvaluesOnly);
     return std::max(0.0, -solver.eigenvalues()[0]);
 }
 
-double constants(const PolygonMesh&, const SparseMatrix& s) { return (s * Vector::Ones(s.cols())).cwiseAbs().maxCoeff(); }
+double constants(const PolygonMesh&, const SparseMatrix& s) {
+    return (s * Vector::Ones(s.cols())).cwiseAbs().maxCoeff();
+}
 
 double imprecision(const PolygonMesh& mesh, const SparseMatrix& s) {
     const Points sx = s * (mesh.positions().rowwise() - mesh.positions().row(0));
@@ -97,10 +108,14 @@ constexpr Property properties[] = {{"symmetric", &PropertyClaims::symmetric, asy
 
 bool claimed(Claim claim, const PolygonMesh& mesh) {
     switch (claim) {
-        case Claim::yes: return true;
-        case Claim::planar: return planar_faces(mesh);
-        case Claim::triangles: return only_triangles(mesh);
-        case Claim::no: return false;
+        case Claim::yes:
+            return true;
+        case Claim::planar:
+            return planar_faces(mesh);
+        case Claim::triangles:
+            return only_triangles(mesh);
+        case Claim::no:
+            return false;
     }
     return false;
 }
@@ -117,7 +132,8 @@ TEST(Claims, HoldWhereClaimedAndFailWhereNot) {
                     if (s.mesh.vertex_count() > property.most_vertices) continue;
                     const auto matrices = try_build(s.mesh, spec);
                     if (!matrices) continue;
-                    const double violation = property.violation(s.mesh, matrices->stiffness) / matrices->stiffness.diagonal().maxCoeff();
+                    const double violation =
+                        property.violation(s.mesh, matrices->stiffness) / matrices->stiffness.diagonal().maxCoeff();
                     if (claimed(claim, s.mesh)) {
                         ++held;
                         EXPECT_LE(violation, holds) << property.name << ": " << spec_name(spec) << " on " << s.name;
@@ -129,7 +145,8 @@ TEST(Claims, HoldWhereClaimedAndFailWhereNot) {
             if (claim == Claim::yes) {
                 EXPECT_GE(held, 30) << info->id << ", " << property.name;
             } else {
-                EXPECT_FALSE(counter_example.empty()) << info->id << " never violates " << property.name << ", the claim is too weak";
+                EXPECT_FALSE(counter_example.empty())
+                    << info->id << " never violates " << property.name << ", the claim is too weak";
             }
         }
     }
@@ -145,8 +162,11 @@ TEST(Zoo, TestsWhatItShould) {
         flat += static_cast<Index>(flat_inner_vertices(mesh).size());
     }
     EXPECT_GE(flat, 100);
-    EXPECT_FALSE(planar_faces(specimen("saddle-7")));
+    EXPECT_TRUE(planar_faces(specimen("saddle-7"))) << "f(x) + g(y) has planar quads";
     EXPECT_TRUE(flat_inner_vertices(specimen("saddle-7")).empty());
+    for (const char* name : {"saddle-12x12", "torus-10x7-noisy", "wavy-4", "moebius"}) {
+        EXPECT_GT(non_planarity(specimen(name)), 1e-3) << name;
+    }
     EXPECT_TRUE(only_triangles(specimen("triangle-sphere-2")));
     EXPECT_GE(all_specs().size(), 8u);
 }
@@ -215,25 +235,30 @@ TEST(Operators, AreTheCotanLaplacianOnTriangles) {
     EXPECT_GE(compared, 4 * static_cast<int>(all_specs().size()));
 }
 
-/// What S may change by when coordinates move by the rounding of numbers of size `reach`: cotangents go with position errors over the
-/// shortest edge, squared where faces are thin.
-double rounding_of(const PolygonMesh& mesh, double reach) {
+/// What S may change by, relative to its largest entry, when coordinates move by the rounding of numbers of size
+/// `reach`. Angles change by position errors over the shortest edge, and cotangents by their square times that: `scale`
+/// stands for the largest cotangent.
+double rounding_of(const PolygonMesh& mesh, double reach, double scale) {
     double shortest = bounding_size(mesh);
     for (const Edge& e : build_topology(*mesh.connectivity()).edges) {
         shortest = std::min(shortest, (mesh.position(e.v1) - mesh.position(e.v0)).norm());
     }
-    return 1e3 * 1.1e-16 * reach / shortest;
+    return 1e3 * 1.1e-16 * reach / shortest * std::max(1.0, scale);
 }
 
 TEST(Operators, IgnoreRigidMotions) {
-    const Eigen::Matrix3d rotation = (Eigen::AngleAxisd(0.9, Vector3(1, -2, 0.5).normalized()) * Eigen::AngleAxisd(2.1, Vector3::UnitY())).toRotationMatrix();
+    const Eigen::Matrix3d rotation =
+        (Eigen::AngleAxisd(0.9, Vector3(1, -2, 0.5).normalized()) * Eigen::AngleAxisd(2.1, Vector3::UnitY()))
+            .toRotationMatrix();
     for_all(
         [&](const Specimen& s, const OperatorSpec& spec, const OperatorMatrices& m, double scale) {
             const double size = bounding_size(s.mesh);
             for (const double far : {0.0, 3.0, 1e4}) {
-                const Points moved = (s.mesh.positions() * rotation.transpose()).rowwise() + far * size * Eigen::RowVector3d(0.3, -0.9, 0.4);
+                const Points moved = (s.mesh.positions() * rotation.transpose()).rowwise() +
+                                     far * size * Eigen::RowVector3d(0.3, -0.9, 0.4);
                 const auto there = get(build_operator(get(s.mesh.with_positions(moved)), spec));
-                const double tolerance = rounding_of(s.mesh, size * (1 + far));
+                if (far > 100 && s.name == "straight-corners") continue;  // they are not straight any more
+                const double tolerance = rounding_of(s.mesh, size * (1 + far), scale);
                 EXPECT_LE(difference(there.stiffness, m.stiffness), tolerance * scale) << far;
                 EXPECT_LE(difference(there.mass, m.mass), tolerance * largest(m.mass)) << far;
             }
@@ -241,16 +266,20 @@ TEST(Operators, IgnoreRigidMotions) {
         330);
 }
 
-// S has no unit and M goes with the square of the scale, without any absolute threshold in between. 1e±60: products of four lengths, as in tests
-// for cocircular corners, still fit a double.
+// S has no unit and M goes with the square of the scale, without any absolute threshold in between. 1e±60: products of
+// four lengths, as in tests for cocircular corners, still fit a double.
 TEST(Operators, ScaleWithTheMesh) {
     for_all(
         [](const Specimen& s, const OperatorSpec& spec, const OperatorMatrices& m, double scale) {
             for (const double factor : {1e-60, 1e-12, 1e-6, 1e-3, 1e3, 1e6, 1e12, 1e60}) {
                 const auto scaled = get(build_operator(get(s.mesh.with_positions(factor * s.mesh.positions())), spec));
-                EXPECT_LE(difference(scaled.stiffness, m.stiffness), rounding_of(s.mesh, bounding_size(s.mesh)) * scale) << factor;
+                EXPECT_LE(difference(scaled.stiffness, m.stiffness),
+                          rounding_of(s.mesh, bounding_size(s.mesh), scale) * scale)
+                    << factor;
                 EXPECT_LE(difference(scaled.mass / factor / factor, m.mass), 1e-12 * largest(m.mass)) << factor;
-                EXPECT_EQ(summarise_weights(scaled.stiffness).negative_ordered, summarise_weights(m.stiffness).negative_ordered) << factor;
+                EXPECT_EQ(summarise_weights(scaled.stiffness).negative_ordered,
+                          summarise_weights(m.stiffness).negative_ordered)
+                    << factor;
             }
         },
         330);
@@ -263,13 +292,15 @@ TEST(Operators, FollowTheLabelsOfVertices) {
             Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, Index> p(s.mesh.vertex_count());
             p.setIdentity();
             for (Index k = s.mesh.vertex_count() - 1; k > 0; --k) {
-                std::swap(p.indices()[k], p.indices()[static_cast<Index>(random() % static_cast<std::uint32_t>(k + 1))]);
+                std::swap(p.indices()[k],
+                          p.indices()[static_cast<Index>(random() % static_cast<std::uint32_t>(k + 1))]);
             }
             std::vector<Index> corners = s.mesh.connectivity()->corners;
             for (Index& v : corners) {
                 v = p.indices()[v];
             }
-            const auto renamed = get(PolygonMesh::create(p * s.mesh.positions(), s.mesh.connectivity()->offsets, corners));
+            const auto renamed =
+                get(PolygonMesh::create(p * s.mesh.positions(), s.mesh.connectivity()->offsets, corners));
             const auto there = get(build_operator(renamed, spec));
             const SparseMatrix stiffness = p * m.stiffness * p.transpose();
             const SparseMatrix mass = p * m.mass * p.transpose();
@@ -291,15 +322,18 @@ PolygonMesh with_turned_faces(const PolygonMesh& mesh) {
 
 // All but the rule `fan`, which begins at the first corner by definition.
 TEST(Operators, DoNotMindWhereAFaceBegins) {
-    const auto expect_same = [](const std::string& name, const SparseMatrix& a, const SparseMatrix& b, const PolygonMesh& mesh) {
-        EXPECT_LE(difference(a, b), rounding_of(mesh, bounding_size(mesh)) * largest(a)) << name;
+    const auto expect_same = [](const std::string& name, const SparseMatrix& a, const SparseMatrix& b,
+                                const PolygonMesh& mesh) {
+        EXPECT_LE(difference(a, b), rounding_of(mesh, bounding_size(mesh), largest(a)) * largest(a)) << name;
     };
     for (const auto& [name, mesh] : zoo()) {
         const PolygonMesh turned = with_turned_faces(mesh);
         for (const double lambda : {0.0, 1.0}) {
-            expect_same(name, get(alexa_wardetzky_stiffness(mesh, {lambda})), get(alexa_wardetzky_stiffness(turned, {lambda})), mesh);
+            expect_same(name, get(alexa_wardetzky_stiffness(mesh, {lambda})),
+                        get(alexa_wardetzky_stiffness(turned, {lambda})), mesh);
         }
-        for (const auto rule : {TriangulationRule::delaunay, TriangulationRule::min_max_angle, TriangulationRule::shortest_diagonal}) {
+        for (const auto rule :
+             {TriangulationRule::delaunay, TriangulationRule::min_max_angle, TriangulationRule::shortest_diagonal}) {
             expect_same(name, get(planar_stiffness(mesh, {rule})), get(planar_stiffness(turned, {rule})), mesh);
         }
         expect_same(name, get(mass_matrix(mesh)), get(mass_matrix(turned)), mesh);
@@ -321,7 +355,8 @@ TEST(Operators, DoNotMindTheOrientationOfFaces) {
         const auto flipped = get(PolygonMesh::create(mesh.positions(), mesh.connectivity()->offsets, corners));
         for (const OperatorInfo* info : operators()) {
             const SparseMatrix s = get(build_operator(mesh, {info->id, {}})).stiffness;
-            EXPECT_LE(difference(get(build_operator(flipped, {info->id, {}})).stiffness, s), rounding_of(mesh, bounding_size(mesh)) * largest(s))
+            EXPECT_LE(difference(get(build_operator(flipped, {info->id, {}})).stiffness, s),
+                      rounding_of(mesh, bounding_size(mesh), largest(s)) * largest(s))
                 << name << ", " << info->id;
         }
     }
@@ -335,7 +370,9 @@ TEST(Operators, EqualTheirPlainDefinitions) {
         gather_corners(mesh, 0, corners);
         for (const double lambda : {0.0, 0.3, 1.0, 4.0}) {
             const Matrix s(get(alexa_wardetzky_stiffness(mesh, {lambda})));
-            EXPECT_LE((s - naive::alexa_wardetzky(corners, lambda)).cwiseAbs().maxCoeff(), 1e-12 * s.diagonal().maxCoeff()) << name;
+            EXPECT_LE((s - naive::alexa_wardetzky(corners, lambda)).cwiseAbs().maxCoeff(),
+                      1e-12 * s.diagonal().maxCoeff())
+                << name;
         }
         Projection projection;
         ASSERT_TRUE(project_maximally(corners, projection));
@@ -350,9 +387,13 @@ TEST(Operators, EqualTheirPlainDefinitions) {
             if (naive::angles_less(angles(k), angles(roundest))) roundest = k;
         }
         const Matrix delaunay(get(planar_stiffness(mesh, {TriangulationRule::delaunay})));
-        EXPECT_LE((delaunay - naive::cotan(projection.points, all[smoothest])).cwiseAbs().maxCoeff(), 1e-12 * delaunay.maxCoeff()) << name;
+        EXPECT_LE((delaunay - naive::cotan(projection.points, all[smoothest])).cwiseAbs().maxCoeff(),
+                  1e-12 * delaunay.maxCoeff())
+            << name;
         const Matrix round(get(planar_stiffness(mesh, {TriangulationRule::min_max_angle})));
-        EXPECT_LE((round - naive::cotan(projection.points, all[roundest])).cwiseAbs().maxCoeff(), 1e-12 * round.maxCoeff()) << name;
+        EXPECT_LE((round - naive::cotan(projection.points, all[roundest])).cwiseAbs().maxCoeff(),
+                  1e-12 * round.maxCoeff())
+            << name;
     }
 }
 

@@ -1,8 +1,11 @@
-// All figures of tests/data/operators.json: two operators at two settings each, on eight meshes, computed once by a program that shares no
-// code with this one. What its figures mean beyond their names was found by trying and holds to 1e-12 on every mesh:
-// - negative and nonzeros are over ordered pairs (nonzeros with the diagonal), beyond 1e-10 of the largest diagonal entry;
+// All figures of tests/data/operators.json: two operators at two settings each, on eight meshes, computed once by a
+// program that shares no code with this one. What its figures mean beyond their names was found by trying and holds to
+// 1e-12 on every mesh:
+// - negative and nonzeros are over ordered pairs (nonzeros with the diagonal), beyond 1e-10 of the largest diagonal
+// entry;
 // - the implicit step has t = (mean edge length)², not the mean squared length;
-// - the harmonic function has u = x² - y² + z on the boundary of open meshes; on closed ones u = 0 at vertex 0 and u = 1 at vertex V/2;
+// - the harmonic function has u = x² - y² + z on the boundary of open meshes; on closed ones u = 0 at vertex 0 and u =
+// 1 at vertex V/2;
 // - the spectrum is that of M^-½ S M^-½, and its kernel ends at 1e-9 of the largest eigenvalue.
 
 #include <gtest/gtest.h>
@@ -98,7 +101,8 @@ TEST_P(Reference, Spectrum) {
     for (std::size_t k = 0; k < expected.size(); ++k) {
         const double value = expected[k];
         // Rounding disturbs each eigenvalue by about the largest one's last digits.
-        EXPECT_NEAR(values[static_cast<Eigen::Index>(k)], value, relative * std::abs(value) + 1e-14 * largest) << "eigenvalue " << k;
+        EXPECT_NEAR(values[static_cast<Eigen::Index>(k)], value, relative * std::abs(value) + 1e-14 * largest)
+            << "eigenvalue " << k;
     }
     EXPECT_EQ((values.array() < 1e-9 * largest).count(), figures["kernel_dimension"].get<Eigen::Index>());
 }
@@ -111,7 +115,8 @@ TEST_P(Reference, ImplicitStep) {
     const Points moved = get(get(ImplicitSmoother::create(matrices, h * h)).step(mesh.positions()));
     expect_near(moved.norm(), figures["implicit_step_t_h2_frobenius"], 0, "frobenius");
     for (std::size_t k = 0; k < 3; ++k) {
-        expect_near(moved(0, static_cast<Eigen::Index>(k)), figures["implicit_step_vertex0"][k], bounding_size(mesh), "vertex 0");
+        expect_near(moved(0, static_cast<Eigen::Index>(k)), figures["implicit_step_vertex0"][k], bounding_size(mesh),
+                    "vertex 0");
     }
 }
 
@@ -138,15 +143,19 @@ TEST_P(Reference, Harmonic) {
     expect_near(u.sum(), expected[2], 1e3, "sum");
 }
 
-INSTANTIATE_TEST_SUITE_P(Figures, Reference, testing::Combine(testing::Range<std::size_t>(0, 8), testing::Range<std::size_t>(0, 4)),
+INSTANTIATE_TEST_SUITE_P(Figures, Reference,
+                         testing::Combine(testing::Range<std::size_t>(0, 8), testing::Range<std::size_t>(0, 4)),
                          [](const auto& test) {
-                             std::string name = reference()[std::get<0>(test.param)]["mesh"].template get<std::string>() + "_" +
-                                                settings()[std::get<1>(test.param)].name;
+                             std::string name =
+                                 reference()[std::get<0>(test.param)]["mesh"].template get<std::string>() + "_" +
+                                 settings()[std::get<1>(test.param)].name;
                              std::replace(name.begin(), name.end(), '-', '_');
                              return name;
                          });
 
-TEST(ReferenceFile, HasTheEightMeshes) { EXPECT_EQ(reference().size(), 8u); }
+TEST(ReferenceFile, HasTheEightMeshes) {
+    EXPECT_EQ(reference().size(), 8u);
+}
 
 }  // namespace
 }  // namespace polylap::test

@@ -18,7 +18,8 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
 bool is_kebab_case(std::string_view id) {
-    return !id.empty() && id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string_view::npos && id.front() != '-' && id.back() != '-';
+    return !id.empty() && id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string_view::npos &&
+           id.front() != '-' && id.back() != '-';
 }
 
 TEST(Table, IsComplete) {
@@ -64,20 +65,24 @@ TEST(Table, HasTheTwoFirstOperators) {
     ASSERT_STREQ(operators()[1]->id, "planar");
     ASSERT_EQ(operators()[1]->parameters.size(), 1u);
     EXPECT_STREQ(operators()[1]->parameters[0].id, "rule");
-    EXPECT_STREQ(operators()[1]->parameters[0].choices[static_cast<std::size_t>(operators()[1]->parameters[0].initial)], "delaunay");
+    EXPECT_STREQ(operators()[1]->parameters[0].choices[static_cast<std::size_t>(operators()[1]->parameters[0].initial)],
+                 "delaunay");
     EXPECT_EQ(operators()[0], &alexa_wardetzky_info);
     EXPECT_EQ(operators()[1], &planar_info);
 }
 
 TEST(Table, ChoicesAreTheRulesTheyName) {
     const auto& mesh = specimen("wavy-9");
-    const std::pair<const char*, TriangulationRule> rules[] = {{"delaunay", TriangulationRule::delaunay},
-                                                               {"min-max-angle", TriangulationRule::min_max_angle},
-                                                               {"shortest-diagonal", TriangulationRule::shortest_diagonal},
-                                                               {"fan", TriangulationRule::fan}};
+    const std::pair<const char*, TriangulationRule> rules[] = {
+        {"delaunay", TriangulationRule::delaunay},
+        {"min-max-angle", TriangulationRule::min_max_angle},
+        {"shortest-diagonal", TriangulationRule::shortest_diagonal},
+        {"fan", TriangulationRule::fan}};
     for (const auto& [name, rule] : rules) {
         const auto spec = get(make_spec("planar", Settings{{"rule", name}}));
-        EXPECT_EQ((Matrix(get(build_operator(mesh, spec)).stiffness) - Matrix(get(planar_stiffness(mesh, {rule})))).norm(), 0) << name;
+        EXPECT_EQ(
+            (Matrix(get(build_operator(mesh, spec)).stiffness) - Matrix(get(planar_stiffness(mesh, {rule})))).norm(), 0)
+            << name;
     }
 }
 
@@ -98,7 +103,8 @@ TEST(Specs, AreFilledFromTheTable) {
 }
 
 template <class T>
-void expect_error(const Result<T>& result, ErrorCode code, std::initializer_list<const char*> words, const std::string& what) {
+void expect_error(const Result<T>& result, ErrorCode code, std::initializer_list<const char*> words,
+                  const std::string& what) {
     ASSERT_FALSE(result.ok()) << what;
     EXPECT_EQ(result.error().code, code) << what << ": " << result.error().message;
     for (const char* word : words) {
@@ -111,30 +117,37 @@ TEST(Specs, UnknownOperatorsAreNamedWithTheKnownOnes) {
         expect_error(find_operator(id), ErrorCode::unknown_operator, {id, "alexa-wardetzky", "planar"}, id);
         expect_error(make_spec(id, {}), ErrorCode::unknown_operator, {"alexa-wardetzky"}, id);
         expect_error(complete_spec({id, {}}), ErrorCode::unknown_operator, {"alexa-wardetzky"}, id);
-        expect_error(build_operator(specimen("grid-2x2"), {id, {}}), ErrorCode::unknown_operator, {"alexa-wardetzky"}, id);
+        expect_error(build_operator(specimen("grid-2x2"), {id, {}}), ErrorCode::unknown_operator, {"alexa-wardetzky"},
+                     id);
     }
 }
 
 TEST(Specs, TextsMustBeNumbersOrChoices) {
     for (const char* text : {"abc", "", "1x", " 1", "1,5", "nan", "inf", "0x10", "1e999"}) {
-        expect_error(make_spec("alexa-wardetzky", Settings{{"lambda", text}}), ErrorCode::bad_argument, {"lambda", text}, text);
+        expect_error(make_spec("alexa-wardetzky", Settings{{"lambda", text}}), ErrorCode::bad_argument,
+                     {"lambda", text}, text);
     }
     for (const char* text : {"Fan", "", "0", "fans"}) {
-        expect_error(make_spec("planar", Settings{{"rule", text}}), ErrorCode::bad_argument, {"rule", text, "delaunay", "fan"}, text);
+        expect_error(make_spec("planar", Settings{{"rule", text}}), ErrorCode::bad_argument,
+                     {"rule", text, "delaunay", "fan"}, text);
     }
-    expect_error(make_spec("planar", Settings{{"lambda", "1"}}), ErrorCode::bad_argument, {"planar", "lambda"}, "another's parameter");
+    expect_error(make_spec("planar", Settings{{"lambda", "1"}}), ErrorCode::bad_argument, {"planar", "lambda"},
+                 "another's parameter");
 }
 
 TEST(Specs, ValuesMustLieInTheirRange) {
     for (const OperatorInfo* info : operators()) {
-        expect_error(complete_spec({info->id, std::vector<double>(info->parameters.size() + 1, 0.0)}), ErrorCode::bad_argument, {info->id}, "too many values");
+        expect_error(complete_spec({info->id, std::vector<double>(info->parameters.size() + 1, 0.0)}),
+                     ErrorCode::bad_argument, {info->id}, "too many values");
         for (std::size_t k = 0; k < info->parameters.size(); ++k) {
             const Parameter& p = info->parameters[k];
-            for (const double bad : {p.min - 1, p.max + 1, std::nextafter(p.min, -infinity), nan, infinity, -infinity}) {
+            for (const double bad :
+                 {p.min - 1, p.max + 1, std::nextafter(p.min, -infinity), nan, infinity, -infinity}) {
                 OperatorSpec spec = get(complete_spec({info->id, {}}));
                 spec.values[k] = bad;
                 expect_error(complete_spec(spec), ErrorCode::parameter_out_of_range, {p.id}, std::to_string(bad));
-                expect_error(build_operator(specimen("grid-2x2"), spec), ErrorCode::parameter_out_of_range, {p.id}, std::to_string(bad));
+                expect_error(build_operator(specimen("grid-2x2"), spec), ErrorCode::parameter_out_of_range, {p.id},
+                             std::to_string(bad));
             }
             for (const double good : {p.min, p.max}) {
                 OperatorSpec spec = get(complete_spec({info->id, {}}));
@@ -147,9 +160,11 @@ TEST(Specs, ValuesMustLieInTheirRange) {
             expect_error(complete_spec(spec), ErrorCode::parameter_out_of_range, {p.id}, "between two choices");
         }
     }
-    expect_error(make_spec("alexa-wardetzky", Settings{{"lambda", "-0.1"}}), ErrorCode::parameter_out_of_range, {"lambda", "0"}, "λ < 0");
+    expect_error(make_spec("alexa-wardetzky", Settings{{"lambda", "-0.1"}}), ErrorCode::parameter_out_of_range,
+                 {"lambda", "0"}, "λ < 0");
     for (const double bad : {-1e-9, nan, infinity}) {
-        expect_error(alexa_wardetzky_stiffness(specimen("grid-2x2"), {bad}), ErrorCode::parameter_out_of_range, {}, "direct call");
+        expect_error(alexa_wardetzky_stiffness(specimen("grid-2x2"), {bad}), ErrorCode::parameter_out_of_range, {},
+                     "direct call");
     }
 }
 

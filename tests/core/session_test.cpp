@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "polylap/apply/smoothing.hpp"
+#include "polylap/mesh/mesh_io.hpp"
 #include "polylap/mesh/shapes.hpp"
 #include "polylap/solve/dirichlet.hpp"
 #include "zoo.hpp"
@@ -18,11 +19,15 @@ constexpr Side sides[] = {Side::a, Side::b};
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Session open_mesh(const PolygonMesh& mesh) { return get(Session::from_mesh(mesh)); }
-PolygonMesh noisy_torus() { return get(add_normal_noise(get(make_torus(12, 8)), 0.2, 3)); }
+Session open_mesh(const PolygonMesh& mesh) {
+    return get(Session::from_mesh(mesh));
+}
+PolygonMesh noisy_torus() {
+    return get(add_normal_noise(get(make_torus(12, 8)), 0.2, 3));
+}
 
-Result<Session> open_text(std::string_view text, std::string_view name) {
-    return Session::open(std::as_bytes(std::span(text.data(), text.size())), name);
+Result<Session> open_text(std::string_view text, std::string_view name, Monitor monitor = {}) {
+    return Session::open(std::as_bytes(std::span(text.data(), text.size())), name, monitor);
 }
 
 /// All that a failing call must leave alone.
@@ -44,7 +49,8 @@ State state_of(const Session& session) {
 
 template <class T>
 ErrorCode code_of(const Result<T>& result) {
-    return result.ok() ? ErrorCode::parse_error : result.error().code;  // parse_error: cannot come from the calls compared
+    return result.ok() ? ErrorCode::parse_error
+                       : result.error().code;  // parse_error: cannot come from the calls compared
 }
 
 struct Ticks {
@@ -59,7 +65,8 @@ struct Ticks {
                 this};
     }
     bool rise() const {
-        return !fractions.empty() && std::is_sorted(fractions.begin(), fractions.end()) && fractions.front() >= 0 && fractions.back() <= 1;
+        return !fractions.empty() && std::is_sorted(fractions.begin(), fractions.end()) && fractions.front() >= 0 &&
+               fractions.back() <= 1;
     }
 };
 
@@ -95,19 +102,21 @@ TEST(Session, OpensFiles) {
     EXPECT_EQ(broken.error().line, 3);
     EXPECT_EQ(open_text("", "x.obj").error().code, ErrorCode::parse_error);
 
+    const std::string large = write_obj(get(make_grid(200, 200)));
     Ticks ticks;
     ticks.stop_at = 1;
-    const auto cancelled = Session::open(bytes, "x.obj", ticks.monitor());
+    const auto cancelled = open_text(large, "x.obj", ticks.monitor());
     ASSERT_FALSE(cancelled.ok());
     EXPECT_EQ(cancelled.error().code, ErrorCode::cancelled);
     Ticks all;
-    ASSERT_TRUE(Session::open(bytes, "x.obj", all.monitor()).ok());
+    ASSERT_TRUE(open_text(large, "x.obj", all.monitor()).ok());
     EXPECT_TRUE(all.rise());
 }
 
 TEST(Session, OpensMeshesThatOperatorsRefuse) {
     // Nothing is wrong with looking at such a mesh; the face is named when an operator needs it.
-    Session session = open_mesh(make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {3, 0, 0}}, {{0, 1, 2, 3}, {1, 4, 5}}));
+    Session session = open_mesh(
+        make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {3, 0, 0}}, {{0, 1, 2, 3}, {1, 4, 5}}));
     EXPECT_EQ(session.display().triangles.size(), 3u);
     const auto matrices = session.matrices(Side::a);
     ASSERT_FALSE(matrices.ok());
@@ -147,12 +156,14 @@ std::vector<double> answers(Session& session, Side side) {
 }
 
 TEST(Session, CachesChangeNothing) {
-    // Back and forth between specs, sides and surfaces: each time the same numbers as a session that never saw anything else.
+    // Back and forth between specs, sides and surfaces: each time the same numbers as a session that never saw anything
+    // else.
     Session session = open_mesh(noisy_torus());
     const auto specs = all_specs();
     for (int round = 0; round < 2; ++round) {
         for (const OperatorSpec& spec : specs) {
-            if (spec.values == std::vector<double>{0} && spec.id == specs.front().id) continue;  // λ = 0: no unique harmonic function
+            if (spec.values == std::vector<double>{0} && spec.id == specs.front().id)
+                continue;  // λ = 0: no unique harmonic function
             for (const Side side : sides) {
                 check(session.set_operator(side, spec));
                 Session fresh = open_mesh(noisy_torus());
@@ -200,7 +211,8 @@ TEST(Session, WeightsFollowTheSurface) {
         for (std::size_t k = 0; k < lines.segments.size(); ++k) {
             for (std::size_t end = 0; end < 2; ++end) {
                 for (std::size_t c = 0; c < 3; ++c) {
-                    const double x = lines.segments[k][end][static_cast<Eigen::Index>(c)] - session.origin()[static_cast<Eigen::Index>(c)];
+                    const double x = lines.segments[k][end][static_cast<Eigen::Index>(c)] -
+                                     session.origin()[static_cast<Eigen::Index>(c)];
                     EXPECT_NEAR(weights.segments[6 * k + 3 * end + c], x, 1e-6);
                 }
             }
@@ -226,7 +238,8 @@ TEST(Session, SmoothsWithOrWithoutRebuilding) {
         EXPECT_LE((session.surface(Side::a).positions() - x).cwiseAbs().maxCoeff(), 1e-13) << info->id;
         // One more call goes on with the matrices of the loaded mesh.
         check(session.smooth(Side::a, {.time = time, .steps = 1, .rebuild = false}));
-        EXPECT_LE((session.surface(Side::a).positions() - get(frozen.step(x))).cwiseAbs().maxCoeff(), 1e-13) << info->id;
+        EXPECT_LE((session.surface(Side::a).positions() - get(frozen.step(x))).cwiseAbs().maxCoeff(), 1e-13)
+            << info->id;
 
         check(session.smooth(Side::b, {.time = time, .steps = 3, .rebuild = true}));
         PolygonMesh moving = start;
@@ -318,7 +331,8 @@ TEST(Session, OutsideIsRelativeToTheWidthOfTheRange) {
             for (const auto& [excess, outside] : {std::pair(1e-7, true), std::pair(-1e-7, false)}) {
                 // λ = ½ + ε lifts the centre by about ε of the width beyond the midpoints.
                 check(session.set_operator(Side::a, {"alexa-wardetzky", {0.5 + excess}}));
-                const auto h = get(session.harmonic(Side::a, fixed, std::vector<double>{low, high, low, high, high, low, high, low}));
+                const auto h = get(
+                    session.harmonic(Side::a, fixed, std::vector<double>{low, high, low, high, high, low, high, low}));
                 EXPECT_EQ(h.outside.size(), outside ? 1u : 0u) << offset << ", " << width;
             }
         }
@@ -333,13 +347,17 @@ TEST(Session, HarmonicOnLargerMeshes) {
     for (const Side side : sides) {
         const auto h = get(session.harmonic(side, fixed, values));
         const auto s = get(build_operator(session.mesh(), session.spec(side))).stiffness;
-        const Vector expected = get(get(DirichletProblem::create(s, fixed)).solve(Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size())))).col(0);
+        const Vector expected =
+            get(get(DirichletProblem::create(s, fixed))
+                    .solve(Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size()))))
+                .col(0);
         EXPECT_LE((h.values - expected).cwiseAbs().maxCoeff(), 1e-14);
         EXPECT_EQ(h.min, h.values.minCoeff());
         EXPECT_EQ(h.max, h.values.maxCoeff());
         std::vector<Index> outside;
         for (Index v = 0; v < h.values.size(); ++v) {
-            if (h.values[v] < -Session::outside_tolerance || h.values[v] > 1 + Session::outside_tolerance) outside.push_back(v);
+            if (h.values[v] < -Session::outside_tolerance || h.values[v] > 1 + Session::outside_tolerance)
+                outside.push_back(v);
         }
         EXPECT_EQ(h.outside, outside);
         EXPECT_EQ(outside.empty(), session.spec(side).id == "planar");
@@ -375,8 +393,10 @@ TEST(Session, FailingCallsChangeNothing) {
         EXPECT_EQ(state_of(session), state) << what;
     };
     expect(code_of(session.set_operator(Side::a, {"nothing", {}})), ErrorCode::unknown_operator, "unknown operator");
-    expect(code_of(session.set_operator(Side::a, {"alexa-wardetzky", {-1}})), ErrorCode::parameter_out_of_range, "λ < 0");
-    expect(code_of(session.set_operator(Side::a, {"alexa-wardetzky", {nan}})), ErrorCode::parameter_out_of_range, "λ = nan");
+    expect(code_of(session.set_operator(Side::a, {"alexa-wardetzky", {-1}})), ErrorCode::parameter_out_of_range,
+           "λ < 0");
+    expect(code_of(session.set_operator(Side::a, {"alexa-wardetzky", {nan}})), ErrorCode::parameter_out_of_range,
+           "λ = nan");
     expect(code_of(session.set_operator(Side::a, {"planar", {0, 0}})), ErrorCode::bad_argument, "too many values");
     for (const double time : {0.0, -1.0, nan, infinity}) {
         expect(code_of(session.smooth(Side::a, {.time = time})), ErrorCode::bad_argument, "time");
@@ -405,7 +425,8 @@ TEST(Session, CancellingLeavesTheSurface) {
     for (const std::size_t stop : {1, 2, 3, 5}) {
         Ticks ticks;
         ticks.stop_at = stop;
-        EXPECT_EQ(code_of(session.smooth(Side::a, {.time = 1e-4, .steps = 4}, ticks.monitor())), ErrorCode::cancelled) << stop;
+        EXPECT_EQ(code_of(session.smooth(Side::a, {.time = 1e-4, .steps = 4}, ticks.monitor())), ErrorCode::cancelled)
+            << stop;
         EXPECT_EQ(ticks.fractions.size(), stop);
         EXPECT_EQ(state_of(session), state) << stop;
     }
@@ -413,7 +434,8 @@ TEST(Session, CancellingLeavesTheSurface) {
     stop.stop_at = 1;
     EXPECT_EQ(code_of(session.weights(Side::b, stop.monitor())), ErrorCode::cancelled);
     EXPECT_EQ(code_of(session.matrices(Side::b, stop.monitor())), ErrorCode::cancelled);
-    EXPECT_EQ(code_of(session.harmonic(Side::b, std::vector<Index>{0}, std::vector<double>{1}, stop.monitor())), ErrorCode::cancelled);
+    EXPECT_EQ(code_of(session.harmonic(Side::b, std::vector<Index>{0}, std::vector<double>{1}, stop.monitor())),
+              ErrorCode::cancelled);
     EXPECT_EQ(state_of(session), state);
 
     Ticks smooth;
@@ -435,7 +457,8 @@ TEST(Session, FloatsAreRelativeToTheOrigin) {
     const Vector3 far(3e6, -5e6, 7e6);
     Session a = open_mesh(near);
     Session b = open_mesh(get(near.with_positions(near.positions().rowwise() + far.transpose())));
-    const Vector3 centre = (near.positions().colwise().maxCoeff() + near.positions().colwise().minCoeff()).transpose() / 2;
+    const Vector3 centre =
+        (near.positions().colwise().maxCoeff() + near.positions().colwise().minCoeff()).transpose() / 2;
     EXPECT_LE((a.origin() - centre).norm(), 1e-14);
     EXPECT_LE((b.origin() - a.origin() - far).norm(), 1e-8);
     for (const Side side : sides) {
@@ -447,7 +470,11 @@ TEST(Session, FloatsAreRelativeToTheOrigin) {
         ASSERT_EQ(q.size(), p.size());
         for (std::size_t k = 0; k < p.size(); ++k) {
             EXPECT_NEAR(p[k], q[k], 2e-7) << k;
-            EXPECT_NEAR(p[k], a.surface(side).positions()(static_cast<Eigen::Index>(k / 3), static_cast<Eigen::Index>(k % 3)) - centre[static_cast<Eigen::Index>(k % 3)], 1e-7);
+            EXPECT_NEAR(
+                p[k],
+                a.surface(side).positions()(static_cast<Eigen::Index>(k / 3), static_cast<Eigen::Index>(k % 3)) -
+                    centre[static_cast<Eigen::Index>(k % 3)],
+                1e-7);
         }
         const auto v = get(a.weights(side)).segments;
         const auto w = get(b.weights(side)).segments;
@@ -490,7 +517,7 @@ TEST(Session, SmoothsManyStepsWithoutBlowingUp) {
     const double h2 = session.shape(Side::a).measures.mean_squared_edge;
     for (const Side side : sides) {
         const double area = session.shape(side).measures.area;
-        check(session.smooth(side, {.time = h2, .steps = 10}));
+        check(session.smooth(side, {.time = 0.02 * h2, .steps = 10}));
         EXPECT_TRUE(session.surface(side).positions().allFinite());
         EXPECT_LT(session.shape(side).measures.area, area);
         EXPECT_GT(session.shape(side).measures.area, 0);

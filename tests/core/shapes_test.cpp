@@ -117,7 +117,8 @@ TEST(Noise, TheSeedDecides) {
     EXPECT_EQ(get(add_normal_noise(torus, 0, 7)).positions(), torus.positions());
 }
 
-// The C++ standard fixes what mt19937 returns: 5489, its default seed, starts 3499211612, 581869302, 3890346734, 3586334585, 545404204.
+// The C++ standard fixes what mt19937 returns: 5489, its default seed, starts 3499211612, 581869302, 3890346734,
+// 3586334585, 545404204.
 TEST(Noise, IsTheSameOnEveryPlatform) {
     const auto grid = get(make_grid(4, 1, 4, 1));
     const auto noisy = get(add_normal_noise(grid, 1, 5489));  // all edges have length 1
@@ -135,7 +136,8 @@ TEST(Noise, LeavesUnreferencedVertices) {
     EXPECT_NE(noisy.position(1), mesh.position(1));
 }
 
-// The first view of the page: each of the 512 quads of the noisy torus gives both diagonals a negative weight, and the planar operator none.
+// The first view of the page: each of the 512 quads of the noisy torus gives both diagonals a negative weight, and the
+// planar operator none.
 TEST(Noise, TheNoisyTorusReads2048And0) {
     for (const std::uint32_t seed : {1U, 7U, 42U}) {
         const auto torus = get(add_normal_noise(get(make_torus(32, 16)), 0.1, seed));

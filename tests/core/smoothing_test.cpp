@@ -15,7 +15,9 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-OperatorMatrices build(const PolygonMesh& mesh, const OperatorInfo* info) { return get(build_operator(mesh, {info->id, {}})); }
+OperatorMatrices build(const PolygonMesh& mesh, const OperatorInfo* info) {
+    return get(build_operator(mesh, {info->id, {}}));
+}
 
 TEST(ImplicitSmoother, EqualsADenseSolve) {
     for (const auto& [name, mesh] : zoo()) {
@@ -27,7 +29,8 @@ TEST(ImplicitSmoother, EqualsADenseSolve) {
                 const Points moved = get(get(ImplicitSmoother::create(m, time)).step(mesh.positions()));
                 const Matrix a = Matrix(m.mass) + time * Matrix(m.stiffness);
                 const Matrix expected = a.fullPivLu().solve(m.mass * Matrix(mesh.positions()));
-                EXPECT_LE((moved - expected).cwiseAbs().maxCoeff(), 1e-10 * bounding_size(mesh)) << name << ", " << info->id;
+                EXPECT_LE((moved - expected).cwiseAbs().maxCoeff(), 1e-10 * bounding_size(mesh))
+                    << name << ", " << info->id;
             }
         }
     }
@@ -55,7 +58,8 @@ TEST(ImplicitSmoother, VerticesInNoFaceStay) {
     for (const OperatorInfo* info : operators()) {
         for (const double scale : {1e-6, 1.0, 1e6}) {
             const auto scaled = get(mesh.with_positions(scale * mesh.positions()));
-            const Points moved = get(get(ImplicitSmoother::create(build(scaled, info), 0.3 * scale * scale)).step(scaled.positions()));
+            const Points moved =
+                get(get(ImplicitSmoother::create(build(scaled, info), 0.3 * scale * scale)).step(scaled.positions()));
             for (const Index v : {0, 4}) {
                 EXPECT_LE((moved.row(v) - scaled.positions().row(v)).norm(), 1e-15 * scaled.positions().norm());
             }
@@ -73,10 +77,10 @@ TEST(ImplicitSmoother, UpdateIsTheSameAsCreate) {
         const Points expected = get(get(ImplicitSmoother::create(build(mesh, info), time)).step(mesh.positions()));
         EXPECT_LE((get(smoother.step(mesh.positions())) - expected).cwiseAbs().maxCoeff(), 1e-14);
     };
-    expect_equal(torus, operators().front(), 0.5);                                          // other time
-    expect_equal(get(add_normal_noise(torus, 0.2, 1)), operators().front(), 0.5);           // other values
-    expect_equal(torus, operators().back(), 0.5);                                           // other pattern
-    expect_equal(grid, operators().back(), 0.01);                                           // other size
+    expect_equal(torus, operators().front(), 0.5);                                 // other time
+    expect_equal(get(add_normal_noise(torus, 0.2, 1)), operators().front(), 0.5);  // other values
+    expect_equal(torus, operators().back(), 0.5);                                  // other pattern
+    expect_equal(grid, operators().back(), 0.01);                                  // other size
 }
 
 TEST(ImplicitSmoother, RefusesBadTimes) {

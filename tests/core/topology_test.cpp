@@ -6,7 +6,9 @@
 namespace polylap::test {
 namespace {
 
-Topology topology_of(const std::string& name) { return build_topology(*specimen(name).connectivity()); }
+Topology topology_of(const std::string& name) {
+    return build_topology(*specimen(name).connectivity());
+}
 
 TEST(Topology, CountsEdgesOfKnownMeshes) {
     const auto grid = build_topology(*get(make_grid(4, 3)).connectivity());
@@ -19,7 +21,8 @@ TEST(Topology, CountsEdgesOfKnownMeshes) {
     EXPECT_TRUE(torus.boundary_vertices.empty());
 
     const auto cube = topology_of("cube-3");  // V - E + F = 2
-    EXPECT_EQ(specimen("cube-3").vertex_count() - static_cast<Index>(cube.edges.size()) + specimen("cube-3").face_count(), 2);
+    EXPECT_EQ(
+        specimen("cube-3").vertex_count() - static_cast<Index>(cube.edges.size()) + specimen("cube-3").face_count(), 2);
 }
 
 TEST(Topology, DescribesEachEdge) {
@@ -72,7 +75,8 @@ TEST(Topology, LabelsComponentsAndUnreferencedVertices) {
 
 TEST(Topology, JoinsComponentsThatMeetLate) {
     // Faces 0 and 1 share nothing until face 2 joins them, and vertex 6 is alone with face 3.
-    const auto mesh = make_mesh(std::vector<Vector3>(12, Vector3::Zero()), {{9, 1, 2}, {3, 10, 5}, {2, 3, 0}, {6, 7, 8}});
+    const auto mesh =
+        make_mesh(std::vector<Vector3>(12, Vector3::Zero()), {{9, 1, 2}, {3, 10, 5}, {2, 3, 0}, {6, 7, 8}});
     const auto topology = build_topology(*mesh.connectivity());
     EXPECT_EQ(topology.component_count, 2);
     EXPECT_EQ(topology.component, (std::vector<Index>{0, 0, 0, 0, -1, 0, 1, 1, 1, 0, 0, -1}));
@@ -121,8 +125,9 @@ TEST(BoundaryLoops, RunAlongTheFacesFromTheLowestVertex) {
 
 TEST(BoundaryLoops, GoAroundHoles) {
     // A ring of four quads around a square hole: the outer loop one way, the hole's the other.
-    const auto ring = make_mesh({{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}, {1, 1, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}},
-                                {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
+    const auto ring =
+        make_mesh({{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}, {1, 1, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}},
+                  {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
     const auto loops = get(boundary_loops(build_topology(*ring.connectivity())));
     ASSERT_EQ(loops.size(), 2u);
     EXPECT_EQ(loops[0], (std::vector<Index>{0, 1, 2, 3}));

@@ -17,9 +17,12 @@ using naive::Polygon;
 
 constexpr TriangulationRule rules[] = {TriangulationRule::delaunay, TriangulationRule::min_max_angle,
                                        TriangulationRule::shortest_diagonal, TriangulationRule::fan};
-constexpr TriangulationRule always[] = {TriangulationRule::delaunay, TriangulationRule::min_max_angle, TriangulationRule::shortest_diagonal};
+constexpr TriangulationRule always[] = {TriangulationRule::delaunay, TriangulationRule::min_max_angle,
+                                        TriangulationRule::shortest_diagonal};
 
-double uniform(std::mt19937& random, double low, double high) { return low + (high - low) * static_cast<double>(random()) / 4294967296.0; }
+double uniform(std::mt19937& random, double low, double high) {
+    return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
+}
 
 /// Corners on a grid fine enough that no three are in line by chance and coarse enough that midpoints are exact.
 Polygon snapped(Polygon p) {
@@ -47,7 +50,8 @@ Polygon spiral(int half) {
     Polygon p;
     const auto at = [&](int k, double width) {
         const double t = 0.35 * k;
-        return Eigen::Vector2d(Eigen::Vector2d(std::cos(t), std::sin(t)) * (4 - 0.045 * k - width + 0.002 * std::sin(7.0 * k)));
+        return Eigen::Vector2d(Eigen::Vector2d(std::cos(t), std::sin(t)) *
+                               (4 - 0.045 * k - width + 0.002 * std::sin(7.0 * k)));
     };
     for (int k = 0; k < half; ++k) {
         p.push_back(at(k, 0));
@@ -82,8 +86,8 @@ std::vector<Triangle> cut(const Polygon& p, TriangulationRule rule) {
     return triangles;
 }
 
-/// n-2 triangles of positive area whose sides are the edges, once each, and diagonals, once each way, and whose areas sum to the polygon's:
-/// together that leaves no room for overlap, gaps or diagonals outside.
+/// n-2 triangles of positive area whose sides are the edges, once each, and diagonals, once each way, and whose areas
+/// sum to the polygon's: together that leaves no room for overlap, gaps or diagonals outside.
 void expect_valid(const Polygon& p, const std::vector<Triangle>& triangles, const std::string& what) {
     const auto n = static_cast<Index>(p.size());
     ASSERT_EQ(triangles.size(), p.size() - 2) << what;
@@ -104,7 +108,8 @@ void expect_valid(const Polygon& p, const std::vector<Triangle>& triangles, cons
     for (const auto& [side, count] : sides) {
         EXPECT_EQ(count, 1) << what;
         const bool edge = (side.first + 1) % n == side.second;
-        EXPECT_EQ(sides.count({side.second, side.first}), edge ? 0u : 1u) << what << ": side " << side.first << "–" << side.second;
+        EXPECT_EQ(sides.count({side.second, side.first}), edge ? 0u : 1u)
+            << what << ": side " << side.first << "–" << side.second;
     }
 }
 
@@ -129,7 +134,8 @@ std::vector<std::pair<std::string, Polygon>> polygons() {
         }
         all.emplace_back(name, p);
     }
-    all.emplace_back("triangle with straight corners", Polygon{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {2, 2}, {1, 4}, {0.5, 2}});
+    all.emplace_back("triangle with straight corners",
+                     Polygon{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {2, 2}, {1, 4}, {0.5, 2}});
     all.emplace_back("all on one side", Polygon{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {2, 1}});
     return all;
 }
@@ -151,6 +157,31 @@ TEST(Triangulate, EveryRuleFillsThePolygon) {
     for (const auto& [name, p] : polygons()) {
         for (const TriangulationRule rule : always) {
             expect_valid(p, cut(p, rule), name + ", rule " + std::to_string(static_cast<int>(rule)));
+        }
+    }
+}
+
+// Corners that were straight before the face was turned in space are straight up to rounding: no triangle may live on
+// that rounding.
+TEST(Triangulate, StraightCornersUpToRounding) {
+    for (const auto& [name, p] : polygons()) {
+        if (name.find("straight") == std::string::npos && name.find("all on one side") == std::string::npos) continue;
+        for (const double turn : {0.3, 1.1, 2.5}) {
+            Polygon q;
+            for (const auto& x : p) {
+                q.emplace_back(std::cos(turn) * x.x() - std::sin(turn) * x.y(),
+                               std::sin(turn) * x.x() + std::cos(turn) * x.y());
+            }
+            for (const TriangulationRule rule : rules) {
+                std::vector<Triangle> triangles;
+                if (!triangulate_polygon(q, rule, triangles).ok()) {
+                    EXPECT_EQ(rule, TriangulationRule::fan) << name;
+                    continue;
+                }
+                for (const Triangle& t : triangles) {
+                    EXPECT_GT(naive::cross(naive::at(q, t[0]), naive::at(q, t[1]), naive::at(q, t[2])), 1e-9) << name;
+                }
+            }
         }
     }
 }
@@ -209,7 +240,8 @@ void for_small_polygons(Check&& check) {
     EXPECT_GT(tried, 80);
 }
 
-// Rippa 1990: among all triangulations, the (constrained) Delaunay one has the least Dirichlet energy for every function, so the least trace.
+// Rippa 1990: among all triangulations, the (constrained) Delaunay one has the least Dirichlet energy for every
+// function, so the least trace.
 TEST(Triangulate, DelaunayHasTheLeastDirichletEnergy) {
     for_small_polygons([](const Polygon& p, const std::vector<naive::Triangulation>& all) {
         const Matrix s = naive::cotan(p, cut(p, TriangulationRule::delaunay));
@@ -232,7 +264,8 @@ TEST(Triangulate, MinMaxAngleHasTheLeastSortedAngles) {
 }
 
 TEST(Triangulate, MinMaxAngleBreaksTiesByTheNextAngle) {
-    // The triangle at corner 0 cannot be avoided and has the largest angle; the cut of the rest is decided by the angles after it.
+    // The triangle at corner 0 cannot be avoided and has the largest angle; the cut of the rest is decided by the
+    // angles after it.
     std::mt19937 random(5);
     for (int k = 0; k < 60; ++k) {
         Polygon p{{-3, 0}, {0, -0.4}, {3, 0}};
@@ -257,14 +290,16 @@ TEST(Triangulate, ShortestDiagonalIsGreedy) {
         std::vector<std::tuple<double, Index, Index>> candidates;
         for (Index i = 0; i < n; ++i) {
             for (Index j = i + 2; j < n; ++j) {
-                if (naive::is_inside_diagonal(p, i, j)) candidates.emplace_back((naive::at(p, i) - naive::at(p, j)).norm(), i, j);
+                if (naive::is_inside_diagonal(p, i, j))
+                    candidates.emplace_back((naive::at(p, i) - naive::at(p, j)).norm(), i, j);
             }
         }
         std::sort(candidates.begin(), candidates.end());
         std::vector<std::pair<Index, Index>> greedy;
         for (const auto& [length, i, j] : candidates) {
             const bool crosses = std::any_of(greedy.begin(), greedy.end(), [&, i = i, j = j](const auto& d) {
-                return naive::cross_properly(naive::at(p, i), naive::at(p, j), naive::at(p, d.first), naive::at(p, d.second));
+                return naive::cross_properly(naive::at(p, i), naive::at(p, j), naive::at(p, d.first),
+                                             naive::at(p, d.second));
             });
             if (!crosses) greedy.emplace_back(i, j);
         }
@@ -307,7 +342,8 @@ TEST(Triangulate, LargePolygons) {
     for (const int n : {64, 1000}) {
         const Polygon p = flat(regular_polygon(n));
         for (const TriangulationRule rule : rules) {
-            if (n > 64 && (rule == TriangulationRule::min_max_angle || rule == TriangulationRule::shortest_diagonal)) continue;  // O(n³)
+            if (n > 64 && (rule == TriangulationRule::min_max_angle || rule == TriangulationRule::shortest_diagonal))
+                continue;  // O(n³)
             std::vector<Triangle> triangles;
             check(triangulate_polygon(p, rule, triangles));
             ASSERT_EQ(triangles.size(), p.size() - 2);

@@ -76,7 +76,9 @@ TEST(Projection, KeepsTheAreaAndTheDistancesInThePlane) {
             const Vector3 u = a.normalized();
             for (std::size_t k = 0; k < corners.size(); ++k) {
                 const Vector3 d = corners[k] - corners[0];
-                EXPECT_NEAR(projection.points[k].squaredNorm(), (d - u.dot(d) * u).squaredNorm(), 1e-12 * d.squaredNorm() + 1e-300) << name;
+                EXPECT_NEAR(projection.points[k].squaredNorm(), (d - u.dot(d) * u).squaredNorm(),
+                            1e-12 * d.squaredNorm() + 1e-300)
+                    << name;
             }
         }
     }

@@ -20,7 +20,8 @@ PolygonMesh make_cube(Index n) {
     std::vector<Vector3> points;
     Faces faces;
     const auto vertex = [&](const Vector3& p) {
-        const auto at = std::find_if(points.begin(), points.end(), [&](const Vector3& q) { return (p - q).norm() < 1e-9; });
+        const auto at =
+            std::find_if(points.begin(), points.end(), [&](const Vector3& q) { return (p - q).norm() < 1e-9; });
         if (at != points.end()) return static_cast<Index>(at - points.begin());
         points.push_back(p);
         return static_cast<Index>(points.size() - 1);
@@ -143,10 +144,17 @@ std::vector<Specimen> build_zoo() {
     add("straight-corners", make_face({{0, 0, 0}, {1, 0, 0}, {2.5, 0, 0}, {2.5, 1, 0}, {1.5, 1.25, 0}, {0.5, 1.5, 0}}));
     add("two-components", two_components());
     add("moebius", make_moebius(11));
-    add("three-quads-on-an-edge", make_mesh({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 0, 1.2}, {-0.5, 0.9, 0}, {-0.4, 0.9, 1}, {-0.5, -0.9, 0.1},
+    add("three-quads-on-an-edge", make_mesh({{0, 0, 0},
+                                             {0, 0, 1},
+                                             {1, 0, 0},
+                                             {1, 0, 1.2},
+                                             {-0.5, 0.9, 0},
+                                             {-0.4, 0.9, 1},
+                                             {-0.5, -0.9, 0.1},
                                              {-0.5, -0.8, 1}},
                                             {{0, 2, 3, 1}, {0, 4, 5, 1}, {0, 6, 7, 1}}));
-    add("unreferenced-vertices", make_mesh({{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {1.2, 1, 0.1}, {-3, 0, 0}, {0, 0.8, 0}}, {{1, 2, 3, 5}}));
+    add("unreferenced-vertices",
+        make_mesh({{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {1.2, 1, 0.1}, {-3, 0, 0}, {0, 0.8, 0}}, {{1, 2, 3, 5}}));
     return zoo;
 }
 
@@ -191,7 +199,9 @@ std::vector<std::byte> read_bytes(const std::string& path_in_data) {
     return {first, first + text.size()};
 }
 
-PolygonMesh load_mesh(const std::string& name) { return get(read_obj(read_bytes("meshes/" + name + ".obj"))); }
+PolygonMesh load_mesh(const std::string& name) {
+    return get(read_obj(read_bytes("meshes/" + name + ".obj")));
+}
 
 const std::vector<Specimen>& zoo() {
     static const std::vector<Specimen> all = build_zoo();

@@ -18,15 +18,18 @@ T get(Result<T> result) {
     }
     return std::move(result).value();
 }
-inline void check(Status status) { get(std::move(status)); }
+inline void check(Status status) {
+    get(std::move(status));
+}
 
 struct Specimen {
     std::string name;
     PolygonMesh mesh;
 };
 
-/// Meshes of up to 512 vertices for property tests: regular and noisy, open and closed, planar and not, convex and concave, and the odd ones
-/// that polylap accepts. No face has two different best triangulations of the same rank, so that every rule has one answer.
+/// Meshes of up to 512 vertices for property tests: regular and noisy, open and closed, planar and not, convex and
+/// concave, and the odd ones that polylap accepts. No face has two different best triangulations of the same rank, so
+/// that every rule has one answer.
 const std::vector<Specimen>& zoo();
 const PolygonMesh& specimen(const std::string& name);
 
@@ -41,7 +44,9 @@ std::vector<std::byte> read_bytes(const std::string& path_in_data);
 bool only_triangles(const PolygonMesh& mesh);
 /// Largest distance of a corner from its face's plane, over the square root of the face's area.
 double non_planarity(const PolygonMesh& mesh);
-inline bool planar_faces(const PolygonMesh& mesh) { return non_planarity(mesh) < 1e-12; }
+inline bool planar_faces(const PolygonMesh& mesh) {
+    return non_planarity(mesh) < 1e-12;
+}
 /// Inner vertices all of whose faces lie in one plane and face the same way.
 std::vector<Index> flat_inner_vertices(const PolygonMesh& mesh);
 double bounding_size(const PolygonMesh& mesh);
