@@ -1,6 +1,6 @@
 import type { App } from './app.js';
 import { isTyping } from './dom.js';
-import type { Side } from './polylap.js';
+import type { Geometry, Side } from './polylap.js';
 import { sharedRange } from './results.js';
 import { Mark } from './scene/markers.js';
 import type { Viewer } from './scene/viewer.js';
@@ -15,8 +15,7 @@ export function bindViewer(app: App, viewer: Viewer): void {
     (results) => [results.mesh],
     (mesh) => {
       if (!mesh) return;
-      // Shapes made here stand on the plane z = 0; in files y is mostly up.
-      viewer.setMesh(mesh.geometry, app.state.get().source.kind === 'preset');
+      viewer.setMesh(mesh.geometry, app.state.get().source.kind === 'preset' || liesFlat(mesh.geometry));
     },
   );
   for (const side of sides) {
@@ -83,6 +82,16 @@ export function bindViewer(app: App, viewer: Viewer): void {
   app.state.watch((state) => [state.theme], recolour);
   for (const query of ['(prefers-color-scheme: dark)', '(forced-colors: active)'])
     matchMedia(query).addEventListener('change', recolour);
+}
+
+/** Shapes made here stand on the plane z = 0; in files y is mostly up, except where the mesh is a relief over x and y. */
+function liesFlat({ positions }: Geometry): boolean {
+  const extent = [0, 0, 0];
+  positions.forEach((coordinate, k) => {
+    extent[k % 3] = Math.max(extent[k % 3] ?? 0, Math.abs(coordinate));
+  });
+  const [x = 0, y = 0, z = 0] = extent;
+  return z < 0.5 * Math.min(x, y);
 }
 
 /** Pointer and keys on the views. */

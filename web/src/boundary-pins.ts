@@ -13,7 +13,7 @@ export const boundaryPresets: readonly {
   { id: 'x', label: 'x', value: ([x]) => x },
   { id: 'y', label: 'y', value: ([, y]) => y },
   { id: 'x2-y2', label: 'x² − y²', value: ([x, y]) => x * x - y * y },
-  { id: 'corner', label: 'corner 1, else 0', value: (_at, _pinned, isCorner) => (isCorner ? 1 : 0) },
+  { id: 'corner', label: 'one corner 1', value: (_at, _pinned, isCorner) => (isCorner ? 1 : 0) },
 ];
 
 export function boundaryPins({ boundary, geometry: { positions } }: Mesh, preset: string, pinned: number): Pin[] {

@@ -40,12 +40,16 @@ export function harmonicPanel(app: App): HTMLElement {
     },
     { 'data-action': 'example-pins' },
   );
-  const readouts = sideTable('Values', [
-    { id: 'value', name: 'at the vertex' },
-    { id: 'min', name: 'smallest' },
-    { id: 'max', name: 'largest' },
-    { id: 'outside', name: 'outside ×' },
-  ]);
+  const readouts = sideTable(
+    'Values',
+    [
+      { id: 'value', name: 'at the vertex' },
+      { id: 'min', name: 'smallest' },
+      { id: 'max', name: 'largest' },
+      { id: 'outside', name: 'outside ×' },
+    ],
+    'figures6',
+  );
   const verdict = h('p', { class: 'note', 'data-readout': 'verdict' });
   const pinSelected = button('Pin', () => togglePin(), { 'data-action': 'pin-vertex' });
   const noBoundary = h('p', { class: 'note' });

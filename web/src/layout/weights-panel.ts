@@ -1,14 +1,17 @@
 import { type App, rowLimit } from '../app.js';
 import { h } from '../dom.js';
 import { count, plural, weight } from '../format.js';
-import type { operators, Side } from '../polylap.js';
+import type { Mesh, operators, Side } from '../polylap.js';
 import { drawnLimit, wideLimit } from '../scene/line-limits.js';
 import { sparseRow } from '../sparse-row.js';
 import { operatorOf, sides } from '../state.js';
+import { stencil } from './stencil.js';
 import { sideTable } from './table.js';
 import { vertexField } from './vertex-field.js';
 
 const rowsShown = 24;
+/** As for the counts: what is smaller beside the diagonal has no sign. */
+const rounding = 1e-10;
 
 const claimNames: Record<keyof (typeof operators)[number]['claims'], string> = {
   symmetric: 'symmetric',
@@ -104,24 +107,51 @@ export function weightsPanel(app: App): HTMLElement {
       );
       return;
     }
-    row.replaceChildren(rowTable(app, selected));
+    const rows = rowsOf(app, selected);
+    if (!mesh || !rows) {
+      const { a, b } = app.results.get();
+      const why = [a.matrices, b.matrices].find((matrices) => typeof matrices === 'string');
+      row.replaceChildren(h('p', { class: 'note' }, typeof why === 'string' ? why : ''));
+      return;
+    }
+    row.replaceChildren(stencils(app, mesh, selected, rows), rowTable(selected, rows));
   };
   app.state.watch((state) => [state.selected], showRow);
   app.results.watch((results) => [results.a.matrices, results.b.matrices], showRow);
   return element;
 }
 
-function rowTable(app: App, vertex: number): HTMLElement {
-  const results = app.results.get();
-  const rows = Object.fromEntries(
-    sides.map((side) => {
-      const { matrices } = results[side];
-      return [
-        side,
-        matrices && typeof matrices !== 'string' ? sparseRow(matrices.stiffness, vertex) : new Map<number, number>(),
-      ];
+/** Column → entry of S in the row of a vertex, without the entries that are only rounding. */
+function rowsOf(app: App, vertex: number): Record<Side, Map<number, number>> | null {
+  const rows = sides.map((side) => {
+    const { matrices } = app.results.get()[side];
+    if (matrices === null || typeof matrices === 'string') return null;
+    const row = sparseRow(matrices.stiffness, vertex);
+    const least = rounding * Math.abs(row.get(vertex) ?? 0);
+    return new Map([...row].map(([j, entry]) => [j, Math.abs(entry) > least ? entry : 0]));
+  });
+  const [a, b] = rows;
+  return a && b ? { a, b } : null;
+}
+
+/** The two rows, drawn at one scale. */
+function stencils(app: App, mesh: Mesh, vertex: number, rows: Record<Side, Map<number, number>>): HTMLElement {
+  const weights = (side: Side) =>
+    new Map([...rows[side]].filter(([j]) => j !== vertex).map(([j, entry]) => [j, -entry]));
+  const both = { a: weights('a'), b: weights('b') };
+  const largest = Math.max(...sides.flatMap((side) => [...both[side].values()].map(Math.abs)), Number.MIN_VALUE);
+  return h(
+    'div',
+    { class: 'stencils' },
+    ...sides.map((side) => {
+      const figure = h('figure', {}, h('figcaption', {}, side.toUpperCase()));
+      figure.prepend(stencil(mesh.geometry, app.results.get()[side].positions, vertex, both[side], largest));
+      return figure;
     }),
-  ) as Record<Side, Map<number, number>>;
+  );
+}
+
+function rowTable(vertex: number, rows: Record<Side, Map<number, number>>): HTMLElement {
   const neighbours = [...new Set([...rows.a.keys(), ...rows.b.keys()])]
     .filter((j) => j !== vertex)
     .sort((p, q) => p - q);

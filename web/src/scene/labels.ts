@@ -5,6 +5,7 @@ import type { Pin } from '../state.js';
 
 /** More labels than this would cover the mesh. */
 const labelLimit = 40;
+const labelHeight = 20;
 /** Ray tests per label and frame that stay unnoticed. */
 const testLimit = 3_000_000;
 
@@ -20,7 +21,7 @@ export class Labels {
   set(pins: readonly Pin[]): void {
     this.layer.replaceChildren();
     this.shown = pins.slice(0, labelLimit).map((pin) => {
-      const element = h('span', { class: 'pin-label' }, exact(pin.value));
+      const element = h('span', { class: 'pin-label' }, exact(Number(pin.value.toPrecision(3))));
       this.layer.append(element);
       return { pin, element, width: 0 };
     });
@@ -39,28 +40,34 @@ export class Labels {
     const eye = toModel(camera.position.clone());
     const testable = (this.shown.length * triangles.length) / 3 <= testLimit;
     const taken: { x: number; y: number; width: number }[] = [];
-    const nearestFirst = this.shown
-      .map((label) => ({ label, at: toWorld(label.pin.vertex) }))
-      .sort((p, q) => p.at.distanceToSquared(camera.position) - q.at.distanceToSquared(camera.position));
-    for (const { label, at } of nearestFirst) {
+    const wishes = this.shown
+      .map((label) => {
+        if (label.width === 0) {
+          label.element.hidden = false;
+          label.width = label.element.offsetWidth;
+        }
+        const at = toWorld(label.pin.vertex).project(camera);
+        const [px, py] = [((at.x + 1) / 2) * width, ((1 - at.y) / 2) * height];
+        const spots = [py - 22, py + 2].flatMap((y) => [px + 9, px - 9 - label.width].map((x) => ({ x, y })));
+        const fits = ({ x, y }: { x: number; y: number }) =>
+          at.z < 1 && x >= 0 && y >= 0 && x + label.width <= width && y + labelHeight <= height;
+        return { label, depth: at.z, spots: spots.filter(fits) };
+      })
+      // Who has the least choice goes first, then who is nearest.
+      .sort((p, q) => p.spots.length - q.spots.length || p.depth - q.depth);
+    for (const { label, spots } of wishes) {
       const { pin, element } = label;
-      if (label.width === 0) {
-        element.hidden = false;
-        label.width = element.offsetWidth;
-      }
-      const screen = at.project(camera);
-      const right = ((screen.x + 1) / 2) * width + 9;
-      const x = right + label.width <= width ? right : right - 18 - label.width;
-      const y = Math.max(0, ((1 - screen.y) / 2) * height - 22);
-      const fits = x >= 0 && x + label.width <= width && y + 20 <= height && screen.z < 1;
-      const free = taken.every(
-        (other) => x + label.width + 2 < other.x || other.x + other.width + 2 < x || Math.abs(y - other.y) > 20,
-      );
-      const seen = fits && free && !(testable && hidden(eye, pin.vertex, points, triangles));
+      const free = ({ x, y }: { x: number; y: number }) =>
+        taken.every(
+          (other) =>
+            x + label.width + 2 < other.x || other.x + other.width + 2 < x || Math.abs(y - other.y) > labelHeight,
+        );
+      const spot = spots.find(free);
+      const seen = spot && !(testable && hidden(eye, pin.vertex, points, triangles));
       element.hidden = !seen;
       if (!seen) continue;
-      taken.push({ x, y, width: label.width });
-      element.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px)`;
+      taken.push({ ...spot, width: label.width });
+      element.style.transform = `translate(${Math.round(spot.x)}px, ${Math.round(spot.y)}px)`;
     }
   }
 }

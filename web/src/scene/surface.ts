@@ -67,9 +67,12 @@ void main() {
   if (dot(n, vEye) > 0.0) n = -n;
   float light = 0.5 + 0.5 * dot(n, normalize(vec3(-0.55, 0.75, 0.5)));
   vec3 surface = mix(shade, lit, light * light);
+  vec3 drawnEdge = edge;
   if (mapped && vKnown > 0.999) {
     float t = clamp((vValue - range.x) / (range.y - range.x), 0.0, 1.0);
     surface = texture(map, vec2((t * 255.0 + 0.5) / 256.0, 0.5)).rgb * mix(0.78, 1.0, light);
+    // Against dark colours edges are lighter, against light ones darker.
+    drawnEdge = dot(surface, vec3(0.3, 0.6, 0.1)) < 0.3 ? mix(surface, vec3(1.0), 0.3) : 0.45 * surface;
   }
   // Distance to each side in pixels; side k lies opposite corner k + 2.
   vec3 width = fwidth(vCorner);
@@ -79,7 +82,7 @@ void main() {
   // Where triangles shrink to a few pixels edges fade, instead of painting everything dark.
   float room = 1.0 - smoothstep(0.12, 0.45, max(width.x, max(width.y, width.z)));
   float line = max(near.x, max(near.y, near.z)) * mix(0.2, 1.0, room);
-  colour = vec4(mix(surface, edge, line), 1.0);
+  colour = vec4(mix(surface, drawnEdge, line), 1.0);
 }`;
 
 /** Draws 1 + the face of the nearest triangle, in three bytes. */
