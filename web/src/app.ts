@@ -175,6 +175,7 @@ export class App {
         }
       });
     } catch (reason) {
+      if (this.results.get().mesh !== mesh) return;
       this.patch(mesh, side, { [kind]: isCancelled(reason) ? 'cancelled' : explain(reason) });
       if (isCancelled(reason)) this.say('Cancelled; the mesh is as it was.');
     }
