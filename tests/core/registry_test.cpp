@@ -4,6 +4,7 @@
 #include <limits>
 #include <set>
 
+#include "polylap/mesh/shapes.hpp"
 #include "polylap/operators/alexa_wardetzky.hpp"
 #include "polylap/operators/operator.hpp"
 #include "polylap/operators/planar.hpp"
@@ -173,6 +174,63 @@ TEST(Claims, HaveNames) {
     EXPECT_EQ(claim_name(Claim::planar), "planar");
     EXPECT_EQ(claim_name(Claim::triangles), "triangles");
     EXPECT_EQ(claim_name(Claim::no), "no");
+}
+
+void expect_refused(const PolygonMesh& mesh, const OperatorSpec& spec, Index face, const std::string& what) {
+    const auto result = build_operator(mesh, spec);
+    ASSERT_FALSE(result.ok()) << what << ", " << spec_name(spec);
+    EXPECT_EQ(result.error().code, ErrorCode::degenerate_face) << what;
+    EXPECT_EQ(result.error().element, face) << what << ": " << result.error().message;
+    EXPECT_NE(result.error().message.find("face " + std::to_string(face)), std::string::npos) << result.error().message;
+}
+
+TEST(Refusals, AFaceWithoutVectorArea) {
+    const std::vector<Vector3> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {3, 0, 0}, {1, 1, 0}};
+    for (const double scale : {1e-6, 1.0, 1e6}) {
+        std::vector<Vector3> p = points;
+        for (Vector3& x : p) {
+            x *= scale;
+        }
+        const auto line = make_mesh(p, {{0, 1, 2, 3}, {1, 4, 5}});
+        const auto bow_tie = make_mesh(p, {{0, 1, 2}, {0, 2, 3}, {0, 2, 1, 3}});
+        const auto twice = make_mesh(p, {{0, 1, 2}, {1, 2, 6}});  // vertices 2 and 6 at one place
+        for (const OperatorSpec& spec : all_specs()) {
+            expect_refused(line, spec, 1, "line");
+            expect_refused(bow_tie, spec, 2, "bow tie");
+            expect_refused(twice, spec, 1, "two corners at one place");
+        }
+    }
+}
+
+TEST(Refusals, AProjectionThatCrossesItself) {
+    const auto crossing = make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {4, 0, 0}, {1, 1, 0.1}, {3, 1.5, 0}},
+                                    {{0, 1, 2, 3}, {0, 4, 5, 6}});
+    for (std::size_t k = 0; k < 4; ++k) {
+        expect_refused(crossing, {"planar", {static_cast<double>(k)}}, 1, "crossing");
+    }
+    EXPECT_TRUE(build_operator(crossing, {"alexa-wardetzky", {}}).ok());
+}
+
+TEST(Monitors, RiseFromZeroToOneAndCancel) {
+    const auto grid = get(make_grid(120, 120));
+    for (const OperatorInfo* info : operators()) {
+        Ticks all;
+        ASSERT_TRUE(build_operator(grid, {info->id, {}}, all.monitor()).ok());
+        ASSERT_GE(all.fractions.size(), 2u) << "14400 faces in one breath";
+        EXPECT_TRUE(all.rise());
+        for (const std::size_t stop : {std::size_t{1}, all.fractions.size()}) {
+            Ticks some;
+            some.stop_at = stop;
+            const auto cancelled = build_operator(grid, {info->id, {}}, some.monitor());
+            ASSERT_FALSE(cancelled.ok());
+            EXPECT_EQ(cancelled.error().code, ErrorCode::cancelled);
+            EXPECT_EQ(some.fractions.size(), stop) << "went on after it was told to stop";
+        }
+    }
+    Ticks direct;
+    direct.stop_at = 1;
+    EXPECT_EQ(alexa_wardetzky_stiffness(grid, {}, direct.monitor()).error().code, ErrorCode::cancelled);
+    EXPECT_EQ(planar_stiffness(grid, {}, direct.monitor()).error().code, ErrorCode::cancelled);
 }
 
 }  // namespace

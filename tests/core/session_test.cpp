@@ -53,23 +53,6 @@ ErrorCode code_of(const Result<T>& result) {
                        : result.error().code;  // parse_error: cannot come from the calls compared
 }
 
-struct Ticks {
-    std::vector<double> fractions;
-    std::size_t stop_at = static_cast<std::size_t>(-1);
-    Monitor monitor() {
-        return {[](void* user, double fraction) {
-                    auto& ticks = *static_cast<Ticks*>(user);
-                    ticks.fractions.push_back(fraction);
-                    return ticks.fractions.size() < ticks.stop_at;
-                },
-                this};
-    }
-    bool rise() const {
-        return !fractions.empty() && std::is_sorted(fractions.begin(), fractions.end()) && fractions.front() >= 0 &&
-               fractions.back() <= 1;
-    }
-};
-
 TEST(Session, StartsOnTheLoadedMesh) {
     const auto mesh = noisy_torus();
     const Session session = open_mesh(mesh);

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "polylap/base/monitor.hpp"
 #include "polylap/mesh/polygon_mesh.hpp"
 #include "polylap/mesh/topology.hpp"
 #include "polylap/operators/operator.hpp"
@@ -21,6 +24,24 @@ T get(Result<T> result) {
 inline void check(Status status) {
     get(std::move(status));
 }
+
+/// Records what a monitor is told, and stops the work at the given tick.
+struct Ticks {
+    std::vector<double> fractions;
+    std::size_t stop_at = static_cast<std::size_t>(-1);
+    Monitor monitor() {
+        return {[](void* user, double fraction) {
+                    auto& ticks = *static_cast<Ticks*>(user);
+                    ticks.fractions.push_back(fraction);
+                    return ticks.fractions.size() < ticks.stop_at;
+                },
+                this};
+    }
+    bool rise() const {
+        return !fractions.empty() && std::is_sorted(fractions.begin(), fractions.end()) && fractions.front() >= 0 &&
+               fractions.back() <= 1;
+    }
+};
 
 struct Specimen {
     std::string name;
