@@ -181,7 +181,11 @@ val shape(const Session& session, Side side) {
 }
 
 val obj(const Session& session, Side side) {
-    return guarded([&]() -> Result<val> { return val(write_obj(session.surface(side))); });
+    return guarded([&]() -> Result<val> {
+        const auto text = write_obj(session.surface(side));
+        if (!text) return text.error();
+        return val(*text);
+    });
 }
 
 // ---- Working on a session ----

@@ -233,34 +233,45 @@ Result<Session::Harmonic> Session::harmonic(Side side, std::span<const Index> ve
         return Error{ErrorCode::bad_argument, std::to_string(vertices.size()) + " vertices are fixed, but " +
                                                   std::to_string(values.size()) + " values were given"};
     }
-    const SideState& state = impl_->side(side);
-    const DirichletKey key{state.key(), {vertices.begin(), vertices.end()}};
-    const auto problem = impl_->problems.get(key, [&]() -> Result<DirichletProblem> {
-        const auto built = impl_->build(state.surface, key.matrices, monitor);
-        if (!built) return built.error();
-        return DirichletProblem::create((*built)->stiffness, key.fixed);
-    });
-    if (!problem) return problem.error();
-    const auto solved =
-        (*problem)->solve(Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size())));
-    if (!solved) return solved.error();
+    return guard_memory([&]() -> Result<Harmonic> {
+        const SideState& state = impl_->side(side);
+        const DirichletKey key{state.key(), {vertices.begin(), vertices.end()}};
+        const auto problem = impl_->problems.get(key, [&]() -> Result<DirichletProblem> {
+            const auto built = impl_->build(state.surface, key.matrices, monitor);
+            if (!built) return built.error();
+            return DirichletProblem::create((*built)->stiffness, key.fixed);
+        });
+        if (!problem) return problem.error();
 
-    Harmonic harmonic;
-    harmonic.values = solved->col(0);
-    const auto [fixed_min, fixed_max] = std::minmax_element(values.begin(), values.end());
-    harmonic.fixed_min = *fixed_min;
-    harmonic.fixed_max = *fixed_max;
-    harmonic.min = harmonic.max = harmonic.fixed_min;
-    const double slack = outside_tolerance * std::max({harmonic.fixed_max - harmonic.fixed_min,
-                                                       std::abs(harmonic.fixed_min), std::abs(harmonic.fixed_max)});
-    for (Index v = 0; v < harmonic.values.size(); ++v) {
-        const double u = harmonic.values[v];
-        if (!std::isfinite(u)) continue;
-        harmonic.min = std::min(harmonic.min, u);
-        harmonic.max = std::max(harmonic.max, u);
-        if (u < harmonic.fixed_min - slack || u > harmonic.fixed_max + slack) harmonic.outside.push_back(v);
-    }
-    return harmonic;
+        // Where S 1 = 0, what lies above the least value is solved for: rounding then scales with the width of the
+        // range, and equal values give exactly that value everywhere.
+        const Eigen::Map<const Vector> given(values.data(), static_cast<Eigen::Index>(values.size()));
+        const double width = given.maxCoeff() - given.minCoeff();
+        const bool shift = (*find_operator(state.spec.id))->claims.constants_in_kernel == Claim::yes;
+        const double base = shift && given.allFinite() && std::isfinite(width) ? given.minCoeff() : 0;
+        const auto above = (*problem)->solve(Vector(given.array() - base));
+        if (!above) return above.error();
+
+        Harmonic harmonic;
+        harmonic.fixed_min = harmonic.min = given.minCoeff();
+        harmonic.fixed_max = harmonic.max = given.maxCoeff();
+        harmonic.values = above->col(0).array() + base;
+        for (std::size_t k = 0; k < vertices.size(); ++k) {
+            harmonic.values[vertices[k]] = values[k];
+        }
+        const double slack = outside_tolerance * (shift ? width : given.cwiseAbs().maxCoeff());
+        for (Index v = 0; v < harmonic.values.size(); ++v) {
+            const double u = harmonic.values[v];
+            if (!std::isfinite(u)) continue;
+            harmonic.min = std::min(harmonic.min, u);
+            harmonic.max = std::max(harmonic.max, u);
+            const double relative = (*above)(v, 0);
+            if (relative < harmonic.fixed_min - base - slack || relative > harmonic.fixed_max - base + slack) {
+                harmonic.outside.push_back(v);
+            }
+        }
+        return harmonic;
+    });
 }
 
 void Session::reset(Side side) {

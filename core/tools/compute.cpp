@@ -59,7 +59,9 @@ Result<Outputs> smooth(const std::string& mesh, const OperatorChoice& choice, co
     if (auto status = session->smooth(side, {.time = time, .steps = options.steps, .rebuild = !options.keep_operator});
         !status)
         return in_file(mesh, status.error());
-    return Outputs{{path, write_obj(session->surface(side))}};
+    auto text = write_obj(session->surface(side));
+    if (!text) return text.error();
+    return Outputs{{path, *std::move(text)}};
 }
 
 Result<Outputs> harmonic(const std::string& mesh, const OperatorChoice& choice, const std::string& fixed_path,

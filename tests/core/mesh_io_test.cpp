@@ -287,7 +287,7 @@ TEST(MeshIo, KeepsFacesOfAnySize) {
 TEST(MeshIo, WritesPlainObj) {
     const auto mesh = read(square + "v 0.1 -1e300 1e-7\nf 1/1 2/1 3/1 4/1\nf -1 1 2\n");
     ASSERT_TRUE(mesh.ok());
-    EXPECT_EQ(write_obj(*mesh),
+    EXPECT_EQ(write_obj(*mesh).value(),
               square + "v 0.10000000000000001 -1.0000000000000001e+300 9.9999999999999995e-08\nf 1 2 3 4\nf 5 1 2\n");
 }
 
@@ -327,7 +327,7 @@ void expect_identical(const PolygonMesh& a, const PolygonMesh& b) {
 
 TEST(MeshIo, ReadsBackTheSameBits) {
     const PolygonMesh mesh = random_mesh(5000);
-    const auto again = read(write_obj(mesh));
+    const auto again = read(write_obj(mesh).value());
     ASSERT_TRUE(again.ok()) << again.error().message;
     expect_identical(mesh, *again);
 }
@@ -341,12 +341,12 @@ struct CommaPunctuation : std::numpunct<char> {
 
 TEST(MeshIo, KnowsNoLocale) {
     const PolygonMesh mesh = random_mesh(100);
-    const std::string text = write_obj(mesh);
+    const std::string text = write_obj(mesh).value();
     const std::locale before = std::locale::global(std::locale(std::locale::classic(), new CommaPunctuation));
     for (const char* name :
          {"de_DE.UTF-8", "de_DE.utf8", "de_DE", "fr_FR.UTF-8"})  // where installed, C's own functions write commas too
         if (std::setlocale(LC_ALL, name) != nullptr) break;
-    const std::string written = write_obj(mesh);
+    const std::string written = write_obj(mesh).value();
     const auto again = read(text);
     std::setlocale(LC_ALL, "C");
     std::locale::global(before);
@@ -359,7 +359,7 @@ TEST(MeshIo, KnowsNoLocale) {
 
 /// Long enough to be stopped in the middle of its vertices and of its faces.
 std::string large_text() {
-    std::string text = write_obj(random_mesh(20000));
+    std::string text = write_obj(random_mesh(20000)).value();
     const std::string faces = text.substr(text.find("f "));
     for (int copy = 0; copy < 5; ++copy)
         text += faces;

@@ -123,7 +123,7 @@ TEST(ObjFuzz, GivesASoundMeshOrSaysWhatIsWrong) {
             ASSERT_LT(corners.back(), mesh->vertex_count());
             ASSERT_EQ(std::adjacent_find(corners.begin(), corners.end()), corners.end());
         }
-        const std::string written = write_obj(*mesh);
+        const std::string written = write_obj(*mesh).value();
         const auto again = read_obj(std::as_bytes(std::span(written)));
         ASSERT_TRUE(again.ok()) << again.error().message;
         ASSERT_EQ(again->positions(), mesh->positions());

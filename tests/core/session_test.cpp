@@ -85,7 +85,7 @@ TEST(Session, OpensFiles) {
     EXPECT_EQ(broken.error().line, 3);
     EXPECT_EQ(open_text("", "x.obj").error().code, ErrorCode::parse_error);
 
-    const std::string large = write_obj(get(make_grid(200, 200)));
+    const std::string large = write_obj(get(make_grid(200, 200))).value();
     Ticks ticks;
     ticks.stop_at = 1;
     const auto cancelled = open_text(large, "x.obj", ticks.monitor());

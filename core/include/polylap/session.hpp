@@ -90,7 +90,7 @@ public:
         std::vector<Index>
             outside;  ///< Vertices beyond the fixed range by more than outside_tolerance: the maximum principle fails.
     };
-    /// Relative to the width of the fixed range and to the largest fixed value: rounding is no violation.
+    /// Relative to the width of the fixed range (of operators that do not keep constants: to the largest fixed value).
     static constexpr double outside_tolerance = 1e-9;
     /// The harmonic function of the side's operator on its surface with the given values at the given vertices.
     /// @error bad_argument (lengths differ, vertex out of range or twice, value not finite), unconstrained_component,

@@ -31,7 +31,8 @@ Status ImplicitSmoother::update(const OperatorMatrices& matrices, double time) {
         if (Status status = factor_.factor(system); !status) {
             Error error = status.error();
             if (error.code == ErrorCode::not_positive_definite) {
-                error.message = "M + tS is not positive definite at vertex " + std::to_string(error.element);
+                error.message = "M + tS is not positive definite at vertex " + std::to_string(error.element) +
+                                ", where the surface may have collapsed";
             }
             return error;
         }

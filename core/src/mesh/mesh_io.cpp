@@ -55,28 +55,30 @@ Result<PolygonMesh> read_obj(std::span<const std::byte> bytes, Monitor monitor) 
     });
 }
 
-std::string write_obj(const PolygonMesh& mesh) {
-    constexpr std::size_t vertex_bytes = 64, corner_bytes = 8;  // usual lengths
-    std::string text;
-    text.reserve(static_cast<std::size_t>(mesh.vertex_count()) * vertex_bytes +
-                 mesh.connectivity()->corners.size() * corner_bytes);
-    for (Index v = 0; v < mesh.vertex_count(); ++v) {
-        text += 'v';
-        for (const double coordinate : mesh.positions().row(v)) {
-            text += ' ';
-            append_double(text, coordinate);
+Result<std::string> write_obj(const PolygonMesh& mesh) {
+    return guard_memory([&]() -> Result<std::string> {
+        constexpr std::size_t vertex_bytes = 64, corner_bytes = 8;  // usual lengths
+        std::string text;
+        text.reserve(static_cast<std::size_t>(mesh.vertex_count()) * vertex_bytes +
+                     mesh.connectivity()->corners.size() * corner_bytes);
+        for (Index v = 0; v < mesh.vertex_count(); ++v) {
+            text += 'v';
+            for (const double coordinate : mesh.positions().row(v)) {
+                text += ' ';
+                append_double(text, coordinate);
+            }
+            text += '\n';
         }
-        text += '\n';
-    }
-    for (Index f = 0; f < mesh.face_count(); ++f) {
-        text += 'f';
-        for (const Index vertex : mesh.face(f)) {
-            text += ' ';
-            append_index(text, std::int64_t{vertex} + 1);
+        for (Index f = 0; f < mesh.face_count(); ++f) {
+            text += 'f';
+            for (const Index vertex : mesh.face(f)) {
+                text += ' ';
+                append_index(text, std::int64_t{vertex} + 1);
+            }
+            text += '\n';
         }
-        text += '\n';
-    }
-    return text;
+        return text;
+    });
 }
 
 }  // namespace polylap

@@ -25,7 +25,7 @@ Status check_offsets(const std::vector<Index>& offsets, std::size_t corner_count
         return bad_mesh("the face offsets must run from 0 to the number of corners");
     }
     for (std::size_t f = 0; f + 1 < offsets.size(); ++f) {
-        if (offsets[f + 1] - offsets[f] >= 3) continue;
+        if (std::int64_t{offsets[f + 1]} - offsets[f] >= 3) continue;
         return bad_mesh("face " + std::to_string(f) + " has fewer than three corners", static_cast<std::int64_t>(f));
     }
     return Done{};

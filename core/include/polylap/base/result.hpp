@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cassert>
 #include <cstdint>
+#include <cstdlib>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -49,20 +49,26 @@ public:
     bool ok() const noexcept { return std::holds_alternative<T>(content_); }
     explicit operator bool() const noexcept { return ok(); }
 
-    /// The value. Requires ok().
-    T& value() & { return assert(ok()), *std::get_if<T>(&content_); }
-    const T& value() const& { return assert(ok()), *std::get_if<T>(&content_); }
-    T&& value() && { return assert(ok()), std::move(*std::get_if<T>(&content_)); }
+    /// The value. Ends the program when there is none: check ok() first.
+    T& value() & { return *required(std::get_if<T>(&content_)); }
+    const T& value() const& { return *required(std::get_if<T>(&content_)); }
+    T&& value() && { return std::move(*required(std::get_if<T>(&content_))); }
     T& operator*() & { return value(); }
     const T& operator*() const& { return value(); }
     T&& operator*() && { return std::move(*this).value(); }
     T* operator->() { return &value(); }
     const T* operator->() const { return &value(); }
 
-    /// The error. Requires !ok().
-    const Error& error() const { return assert(!ok()), *std::get_if<Error>(&content_); }
+    /// The error. Ends the program when there is none.
+    const Error& error() const { return *required(std::get_if<Error>(&content_)); }
 
 private:
+    template <class Content>
+    static Content* required(Content* content) {
+        if (content == nullptr) std::abort();
+        return content;
+    }
+
     std::variant<T, Error> content_;
 };
 

@@ -22,6 +22,7 @@ namespace polylap {
 Result<PolygonMesh> read_obj(std::span<const std::byte> bytes, Monitor monitor = {});
 
 /// Writes `v` with 17 significant digits (reading them back gives the same doubles) and `f` lines.
-std::string write_obj(const PolygonMesh& mesh);
+/// @error out_of_memory
+Result<std::string> write_obj(const PolygonMesh& mesh);
 
 }  // namespace polylap

@@ -22,8 +22,8 @@ public:
     ~SpdFactor();
 
     /// Orders the unknowns (AMD) and finds the pattern of the factor.
-    /// @param a n×n; only the lower triangle is read
-    /// @error bad_argument (not square), out_of_memory
+    /// @param a n×n, compressed; only the lower triangle is read
+    /// @error bad_argument (not square, not compressed), out_of_memory
     Status analyse(const SparseMatrix& a);
 
     /// Factors. A matrix of another pattern than the last one is analysed first.
