@@ -84,7 +84,7 @@ async function clangTidy() {
 const checks = {
   'clang-format': () => clangFormat('--dry-run', '-Werror'),
   'clang-tidy': clangTidy,
-  biome: () => runTool('biome', ['ci', '--reporter=default']),
+  biome: () => runTool('biome', ['ci', `--colors=${process.stdout.isTTY ? 'force' : 'off'}`]),
   tsc: () => runTool('tsc', ['--noEmit']),
 };
 
