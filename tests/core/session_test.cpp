@@ -1,5 +1,3 @@
-#include "polylap/session.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,44 +5,16 @@
 
 #include "polylap/apply/smoothing.hpp"
 #include "polylap/mesh/mesh_io.hpp"
-#include "polylap/mesh/shapes.hpp"
-#include "polylap/solve/dirichlet.hpp"
-#include "zoo.hpp"
+#include "session_fixture.hpp"
 
 namespace polylap::test {
 namespace {
 
-using Side = Session::Side;
-constexpr Side sides[] = {Side::a, Side::b};
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Session open_mesh(const PolygonMesh& mesh) {
-    return get(Session::from_mesh(mesh));
-}
-PolygonMesh noisy_torus() {
-    return get(add_normal_noise(get(make_torus(12, 8)), 0.2, 3));
-}
-
 Result<Session> open_text(std::string_view text, std::string_view name, Monitor monitor = {}) {
     return Session::open(std::as_bytes(std::span(text.data(), text.size())), name, monitor);
-}
-
-/// All that a failing call must leave alone.
-struct State {
-    std::vector<OperatorSpec> specs;
-    std::vector<Points> surfaces;
-    std::vector<int> steps;
-    friend bool operator==(const State&, const State&) = default;
-};
-State state_of(const Session& session) {
-    State state;
-    for (const Side side : sides) {
-        state.specs.push_back(session.spec(side));
-        state.surfaces.push_back(session.surface(side).positions());
-        state.steps.push_back(session.step_count(side));
-    }
-    return state;
 }
 
 template <class T>
@@ -282,90 +252,6 @@ TEST(Session, RestoreTakesUpAnothersWork) {
     EXPECT_EQ(state_of(second), state);
 }
 
-TEST(Session, HarmonicReportsWhatLiesOutside) {
-    Session session = open_mesh(get(make_grid(2, 2, 2, 2)));
-    const std::vector<Index> fixed{0, 1, 2, 3, 5, 6, 7, 8};
-    const std::vector<double> values{0, 1, 0, 1, 1, 0, 1, 0};
-    for (const double lambda : {0.25, 0.5, 1.0, 2.0}) {
-        check(session.set_operator(Side::a, {"alexa-wardetzky", {lambda}}));
-        const auto h = get(session.harmonic(Side::a, fixed, values));
-        const double centre = 4 * lambda / (1 + 2 * lambda);
-        EXPECT_NEAR(h.values[4], centre, 1e-14);
-        EXPECT_EQ(h.fixed_min, 0);
-        EXPECT_EQ(h.fixed_max, 1);
-        EXPECT_EQ(h.min, 0);
-        EXPECT_NEAR(h.max, std::max(1.0, centre), 1e-14);
-        EXPECT_EQ(h.outside, lambda > 0.5 ? std::vector<Index>{4} : std::vector<Index>{});
-    }
-    check(session.set_operator(Side::b, {"planar", {}}));
-    const auto h = get(session.harmonic(Side::b, fixed, values));
-    EXPECT_NEAR(h.values[4], 1, 1e-14);
-    EXPECT_TRUE(h.outside.empty());
-}
-
-// What counts as outside is measured by the width of the fixed range, wherever that range lies.
-TEST(Session, OutsideIsRelativeToTheWidthOfTheRange) {
-    Session session = open_mesh(get(make_grid(2, 2, 2, 2)));
-    const std::vector<Index> fixed{0, 1, 2, 3, 5, 6, 7, 8};
-    for (const double offset : {0.0, 1000.0}) {
-        for (const double width : {1e-3, 1.0}) {
-            const double low = offset;
-            const double high = offset + width;
-            for (const auto& [excess, outside] : {std::pair(1e-7, true), std::pair(-1e-7, false)}) {
-                // λ = ½ + ε lifts the centre by about ε of the width beyond the midpoints.
-                check(session.set_operator(Side::a, {"alexa-wardetzky", {0.5 + excess}}));
-                const auto h = get(
-                    session.harmonic(Side::a, fixed, std::vector<double>{low, high, low, high, high, low, high, low}));
-                EXPECT_EQ(h.outside.size(), outside ? 1u : 0u) << offset << ", " << width;
-            }
-        }
-    }
-}
-
-TEST(Session, HarmonicOnLargerMeshes) {
-    Session session = open_mesh(get(make_grid(8, 8)));
-    const auto fixed = session.topology().boundary_vertices;
-    std::vector<double> values(fixed.size(), 0.0);
-    values[0] = 1;
-    for (const Side side : sides) {
-        const auto h = get(session.harmonic(side, fixed, values));
-        const auto s = get(build_operator(session.mesh(), session.spec(side))).stiffness;
-        const Vector expected =
-            get(get(DirichletProblem::create(s, fixed))
-                    .solve(Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size()))))
-                .col(0);
-        EXPECT_LE((h.values - expected).cwiseAbs().maxCoeff(), 1e-14);
-        EXPECT_EQ(h.min, h.values.minCoeff());
-        EXPECT_EQ(h.max, h.values.maxCoeff());
-        std::vector<Index> outside;
-        for (Index v = 0; v < h.values.size(); ++v) {
-            if (h.values[v] < -Session::outside_tolerance || h.values[v] > 1 + Session::outside_tolerance)
-                outside.push_back(v);
-        }
-        EXPECT_EQ(h.outside, outside);
-        EXPECT_EQ(outside.empty(), session.spec(side).id == "planar");
-    }
-    // Other values at the same vertices, and one value for all: nothing is outside.
-    const auto constant = get(session.harmonic(Side::a, fixed, std::vector<double>(fixed.size(), 0.3)));
-    EXPECT_NEAR(constant.min, 0.3, 1e-14);
-    EXPECT_NEAR(constant.max, 0.3, 1e-14);
-    EXPECT_TRUE(constant.outside.empty()) << "rounding is not outside, even where the range has no width";
-    const auto zero = get(session.harmonic(Side::a, fixed, std::vector<double>(fixed.size(), 0.0)));
-    EXPECT_TRUE(zero.outside.empty());
-}
-
-TEST(Session, HarmonicLeavesUnreferencedVerticesOut) {
-    Session session = open_mesh(specimen("unreferenced-vertices"));
-    const auto h = get(session.harmonic(Side::a, std::vector<Index>{1, 3}, std::vector<double>{2, 5}));
-    EXPECT_TRUE(std::isnan(h.values[0]));
-    EXPECT_TRUE(std::isnan(h.values[4]));
-    EXPECT_TRUE(std::isfinite(h.min));
-    EXPECT_TRUE(std::isfinite(h.max));
-    for (const Index v : h.outside) {
-        EXPECT_TRUE(v != 0 && v != 4);
-    }
-}
-
 TEST(Session, FailingCallsChangeNothing) {
     Session session = open_mesh(specimen("two-components"));
     check(session.set_operator(Side::a, {"alexa-wardetzky", {0.7}}));
@@ -505,19 +391,6 @@ TEST(Session, SmoothsManyStepsWithoutBlowingUp) {
         EXPECT_LT(session.shape(side).measures.area, area);
         EXPECT_GT(session.shape(side).measures.area, 0);
     }
-}
-
-// λ = 0 is singular: the error says so and names a vertex, and nothing is lost.
-TEST(Session, SingularHarmonicProblems) {
-    Session session = open_mesh(noisy_torus());
-    check(session.set_operator(Side::a, {"alexa-wardetzky", {0}}));
-    const State state = state_of(session);
-    const auto h = session.harmonic(Side::a, std::vector<Index>{0}, std::vector<double>{1});
-    ASSERT_FALSE(h.ok());
-    EXPECT_EQ(h.error().code, ErrorCode::not_positive_definite);
-    EXPECT_GE(h.error().element, 0);
-    EXPECT_LT(h.error().element, session.mesh().vertex_count());
-    EXPECT_EQ(state_of(session), state);
 }
 
 }  // namespace

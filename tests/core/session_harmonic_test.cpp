@@ -1,0 +1,109 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "polylap/solve/dirichlet.hpp"
+#include "session_fixture.hpp"
+
+namespace polylap::test {
+namespace {
+
+TEST(Session, HarmonicReportsWhatLiesOutside) {
+    Session session = open_mesh(get(make_grid(2, 2, 2, 2)));
+    const std::vector<Index> fixed{0, 1, 2, 3, 5, 6, 7, 8};
+    const std::vector<double> values{0, 1, 0, 1, 1, 0, 1, 0};
+    for (const double lambda : {0.25, 0.5, 1.0, 2.0}) {
+        check(session.set_operator(Side::a, {"alexa-wardetzky", {lambda}}));
+        const auto h = get(session.harmonic(Side::a, fixed, values));
+        const double centre = 4 * lambda / (1 + 2 * lambda);
+        EXPECT_NEAR(h.values[4], centre, 1e-14);
+        EXPECT_EQ(h.fixed_min, 0);
+        EXPECT_EQ(h.fixed_max, 1);
+        EXPECT_EQ(h.min, 0);
+        EXPECT_NEAR(h.max, std::max(1.0, centre), 1e-14);
+        EXPECT_EQ(h.outside, lambda > 0.5 ? std::vector<Index>{4} : std::vector<Index>{});
+    }
+    check(session.set_operator(Side::b, {"planar", {}}));
+    const auto h = get(session.harmonic(Side::b, fixed, values));
+    EXPECT_NEAR(h.values[4], 1, 1e-14);
+    EXPECT_TRUE(h.outside.empty());
+}
+
+// What counts as outside is measured by the width of the fixed range, wherever that range lies.
+TEST(Session, OutsideIsRelativeToTheWidthOfTheRange) {
+    Session session = open_mesh(get(make_grid(2, 2, 2, 2)));
+    const std::vector<Index> fixed{0, 1, 2, 3, 5, 6, 7, 8};
+    for (const double offset : {0.0, 1000.0}) {
+        for (const double width : {1e-3, 1.0}) {
+            const double low = offset;
+            const double high = offset + width;
+            for (const auto& [excess, outside] : {std::pair(1e-7, true), std::pair(-1e-7, false)}) {
+                // λ = ½ + ε lifts the centre by about ε of the width beyond the midpoints.
+                check(session.set_operator(Side::a, {"alexa-wardetzky", {0.5 + excess}}));
+                const auto h = get(
+                    session.harmonic(Side::a, fixed, std::vector<double>{low, high, low, high, high, low, high, low}));
+                EXPECT_EQ(h.outside.size(), outside ? 1u : 0u) << offset << ", " << width;
+            }
+        }
+    }
+}
+
+TEST(Session, HarmonicOnLargerMeshes) {
+    Session session = open_mesh(get(make_grid(8, 8)));
+    const auto fixed = session.topology().boundary_vertices;
+    std::vector<double> values(fixed.size(), 0.0);
+    values[0] = 1;
+    for (const Side side : sides) {
+        const auto h = get(session.harmonic(side, fixed, values));
+        const auto s = get(build_operator(session.mesh(), session.spec(side))).stiffness;
+        const Vector expected =
+            get(get(DirichletProblem::create(s, fixed))
+                    .solve(Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size()))))
+                .col(0);
+        EXPECT_LE((h.values - expected).cwiseAbs().maxCoeff(), 1e-14);
+        EXPECT_EQ(h.min, h.values.minCoeff());
+        EXPECT_EQ(h.max, h.values.maxCoeff());
+        std::vector<Index> outside;
+        for (Index v = 0; v < h.values.size(); ++v) {
+            if (h.values[v] < -Session::outside_tolerance || h.values[v] > 1 + Session::outside_tolerance)
+                outside.push_back(v);
+        }
+        EXPECT_EQ(h.outside, outside);
+        EXPECT_EQ(outside.empty(), session.spec(side).id == "planar");
+    }
+    // Other values at the same vertices, and one value for all: nothing is outside.
+    const auto constant = get(session.harmonic(Side::a, fixed, std::vector<double>(fixed.size(), 0.3)));
+    EXPECT_NEAR(constant.min, 0.3, 1e-14);
+    EXPECT_NEAR(constant.max, 0.3, 1e-14);
+    EXPECT_TRUE(constant.outside.empty()) << "rounding is not outside, even where the range has no width";
+    const auto zero = get(session.harmonic(Side::a, fixed, std::vector<double>(fixed.size(), 0.0)));
+    EXPECT_TRUE(zero.outside.empty());
+}
+
+TEST(Session, HarmonicLeavesUnreferencedVerticesOut) {
+    Session session = open_mesh(specimen("unreferenced-vertices"));
+    const auto h = get(session.harmonic(Side::a, std::vector<Index>{1, 3}, std::vector<double>{2, 5}));
+    EXPECT_TRUE(std::isnan(h.values[0]));
+    EXPECT_TRUE(std::isnan(h.values[4]));
+    EXPECT_TRUE(std::isfinite(h.min));
+    EXPECT_TRUE(std::isfinite(h.max));
+    for (const Index v : h.outside) {
+        EXPECT_TRUE(v != 0 && v != 4);
+    }
+}
+
+// λ = 0 is singular: the error says so and names a vertex, and nothing is lost.
+TEST(Session, SingularHarmonicProblems) {
+    Session session = open_mesh(noisy_torus());
+    check(session.set_operator(Side::a, {"alexa-wardetzky", {0}}));
+    const State state = state_of(session);
+    const auto h = session.harmonic(Side::a, std::vector<Index>{0}, std::vector<double>{1});
+    ASSERT_FALSE(h.ok());
+    EXPECT_EQ(h.error().code, ErrorCode::not_positive_definite);
+    EXPECT_GE(h.error().element, 0);
+    EXPECT_LT(h.error().element, session.mesh().vertex_count());
+    EXPECT_EQ(state_of(session), state);
+}
+
+}  // namespace
+}  // namespace polylap::test
