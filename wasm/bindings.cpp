@@ -4,6 +4,7 @@
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
+#include "polylap/apply/noise.hpp"
 #include "polylap/mesh/mesh_io.hpp"
 #include "polylap/mesh/shapes.hpp"
 #include "polylap/session.hpp"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "polylap/apply/noise.hpp"
 #include "polylap/mesh/shapes.hpp"
 #include "polylap/session.hpp"
 #include "zoo.hpp"

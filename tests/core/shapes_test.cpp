@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "polylap/apply/diagnostics.hpp"
+#include "polylap/apply/noise.hpp"
 #include "polylap/face/vector_area.hpp"
 #include "zoo.hpp"
 

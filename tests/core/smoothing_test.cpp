@@ -6,6 +6,7 @@
 
 #include <Eigen/LU>
 
+#include "polylap/apply/noise.hpp"
 #include "polylap/mesh/shapes.hpp"
 #include "zoo.hpp"
 

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <numbers>
 
+#include "polylap/apply/noise.hpp"
 #include "polylap/face/vector_area.hpp"
 #include "polylap/mesh/mesh_io.hpp"
 #include "polylap/mesh/shapes.hpp"

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numeric>
 #include <optional>
 
 #include "face/triangulation_rules.hpp"
@@ -153,10 +154,8 @@ private:
 void make_delaunay(const PlanePolygon& polygon, LinkedTriangles& mesh) {
     const auto count = static_cast<Index>(mesh.triangles.size());
     std::int64_t budget = static_cast<std::int64_t>(count) * count + 16;
-    std::vector<Index> stack;
-    for (Index t = 0; t < count; ++t) {
-        stack.push_back(t);
-    }
+    std::vector<Index> stack(mesh.triangles.size());
+    std::iota(stack.begin(), stack.end(), 0);
     const auto tri = [&mesh](Index t) -> Triangle& { return mesh.triangles[static_cast<std::size_t>(t)]; };
     const auto nbr = [&mesh](Index t) -> Triangle& { return mesh.neighbour[static_cast<std::size_t>(t)]; };
     const auto replace = [&nbr](Index t, Index from, Index to) {

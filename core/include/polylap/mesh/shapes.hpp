@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdint>
-
 #include "polylap/mesh/polygon_mesh.hpp"
 
 namespace polylap {
@@ -19,9 +17,5 @@ Result<PolygonMesh> make_saddle(Index n, double height = 1);
 /// @param major,minor radii of the centre line and of the tube, major > minor > 0, length
 /// @error bad_argument when nu or nv < 3 or the radii do not fit
 Result<PolygonMesh> make_torus(Index nu, Index nv, double major = 1, double minor = 0.4);
-
-/// Moves each vertex along its normal (normalised sum of the vector areas at it) by `amplitude` · mean edge length · a
-/// value drawn uniformly from [-1, 1). The same seed gives the same mesh on every platform. Unreferenced vertices stay.
-Result<PolygonMesh> add_normal_noise(const PolygonMesh& mesh, double amplitude, std::uint32_t seed);
 
 }  // namespace polylap
