@@ -178,7 +178,7 @@ Result<Session::Weights> Session::weights(Side side, Monitor monitor) {
     return guard_memory([&]() -> Result<Weights> {
         Weights weights;
         weights.summary = summarise_weights((*built)->stiffness);
-        SurfaceLines lines = drape_pairs(surface(side), impl_->display, weights.summary.negative);
+        SurfaceLines lines = drape_pairs(surface(side), impl_->display, weights.summary.negative, most_segments);
         for (const auto& segment : lines.segments) {
             for (const Vector3& end : segment) {
                 for (int k = 0; k < 3; ++k) {

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
+#include <utility>
 
 #include <Eigen/Dense>
 
@@ -123,8 +125,10 @@ TEST(Draping, LaysChainsOnTheSurface) {
         const SurfaceLines lines = drape_pairs(mesh, display, pairs);
         ASSERT_EQ(lines.segments.size(), lines.start.size());
         ASSERT_EQ(lines.segments.size(), lines.pair.size());
-        std::size_t k = 0;
-        for (std::size_t p = 0; p < pairs.size(); ++p) {
+        std::vector<char> drawn(pairs.size(), 0);
+        for (std::size_t k = 0; k < lines.segments.size();) {
+            const auto p = static_cast<std::size_t>(lines.pair[k]);
+            ASSERT_EQ(std::exchange(drawn[p], 1), 0) << name << ": pair " << p << " has two lines";
             Vector3 at = mesh.position(pairs[p].i);
             double length = 0;
             const std::size_t first = k;
@@ -136,14 +140,43 @@ TEST(Draping, LaysChainsOnTheSurface) {
                 length += (to - from).norm();
                 at = to;
             }
-            ASSERT_GT(k, first) << name << ": pair " << p << " has no line";
             EXPECT_LE((at - mesh.position(pairs[p].j)).norm(), 1e-12) << name;
             EXPECT_GE(length, (mesh.position(pairs[p].j) - mesh.position(pairs[p].i)).norm() * (1 - 1e-12));
             bent += k - first > 1 ? 1 : 0;
         }
-        EXPECT_EQ(k, lines.segments.size());
+        EXPECT_EQ(std::count(drawn.begin(), drawn.end(), 1), static_cast<std::ptrdiff_t>(pairs.size())) << name;
     }
     EXPECT_GT(bent, 10);
+}
+
+// A face of n corners has up to n² negative pairs, each across up to n triangles: too much to draw, so an even choice
+// is.
+TEST(Draping, StopsWithAnEvenChoiceOfWholeLines) {
+    const PolygonMesh mesh = make_face(regular_polygon(1000));
+    const auto negative = summarise_weights(get(build_operator(mesh, {"alexa-wardetzky", {1}})).stiffness).negative;
+    ASSERT_GT(negative.size(), 200'000u);
+    constexpr std::size_t most = 20'000;
+    const SurfaceLines lines = drape_pairs(mesh, triangulate_for_display(mesh), negative, most);
+    EXPECT_GE(lines.segments.size(), most);
+    EXPECT_LT(lines.segments.size(), most + 1000);
+    std::vector<Index> drawn;
+    for (std::size_t k = 0; k < lines.pair.size(); ++k) {
+        const Weight& pair = negative[static_cast<std::size_t>(lines.pair[k])];
+        if (k == 0 || lines.pair[k] != lines.pair[k - 1]) {
+            drawn.push_back(lines.pair[k]);
+            EXPECT_EQ(lines.segments[k][0], mesh.position(pair.i));
+        }
+        if (k + 1 == lines.pair.size() || lines.pair[k] != lines.pair[k + 1]) {
+            EXPECT_EQ(lines.segments[k][1], mesh.position(pair.j));
+        }
+    }
+    std::sort(drawn.begin(), drawn.end());
+    ASSERT_GT(drawn.size(), 20u);
+    const double mean = static_cast<double>(negative.size()) / static_cast<double>(drawn.size());
+    for (std::size_t k = 1; k < drawn.size(); ++k) {
+        EXPECT_GT(drawn[k], drawn[k - 1]);
+        EXPECT_LT(drawn[k] - drawn[k - 1], 3 * mean) << "a gap in the choice";
+    }
 }
 
 TEST(Draping, PairsWithoutACommonFaceAreStraight) {

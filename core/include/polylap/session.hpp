@@ -58,11 +58,14 @@ public:
 
     struct Weights {
         WeightSummary summary;
-        std::vector<float>
-            segments;  ///< 6 a segment: both ends relative to origin(), laid on the surface (see drape_pairs).
+        /// 6 a segment: both ends relative to origin(), laid on the surface (see drape_pairs). Where most_segments is
+        /// reached, of an even choice of the pairs.
+        std::vector<float> segments;
         std::vector<float> segment_starts;  ///< Per segment, length along its line.
         std::vector<Index> segment_pairs;   ///< Per segment, index into summary.negative.
     };
+    /// As many lines as a picture can show: a face of n corners has up to n² pairs, each across up to n triangles.
+    static constexpr std::size_t most_segments = 400'000;
     Result<Weights> weights(Side side, Monitor monitor = {});
 
     struct Shape {

@@ -1,6 +1,8 @@
 #include "polylap/apply/display.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <utility>
 
 #include "polylap/face/triangulate.hpp"
 #include "polylap/face/vector_area.hpp"
@@ -48,7 +50,8 @@ public:
         : mesh_(mesh),
           display_(display),
           at_vertex_(*mesh.connectivity()),
-          first_triangle_(static_cast<std::size_t>(mesh.face_count()) + 1, 0) {
+          first_triangle_(static_cast<std::size_t>(mesh.face_count()) + 1, 0),
+          corner_of_(static_cast<std::size_t>(mesh.vertex_count()), 0) {
         for (Index f = 0; f < mesh.face_count(); ++f) {
             const auto count = static_cast<Index>(mesh.face(f).size()) - 2;
             first_triangle_[static_cast<std::size_t>(f) + 1] = first_triangle_[static_cast<std::size_t>(f)] + count;
@@ -77,36 +80,39 @@ private:
         Vector3 point;
     };
 
-    /// The lowest face with both vertices; -1 if there is none, or if they are neighbours in it: an edge lies on the
+    /// The lowest face with both vertices; -1 if there is none, or if they are neighbours in one: an edge lies on the
     /// surface as it is.
     Index common_face(Index i, Index j) const {
+        const auto at_i = at_vertex_.at(i);
+        const auto at_j = at_vertex_.at(j);
         Index found = -1;
-        for (const Index f : at_vertex_.at(i)) {
-            const auto face = mesh_.face(f);
-            const auto pi = std::find(face.begin(), face.end(), i) - face.begin();
-            const auto at_j = std::find(face.begin(), face.end(), j);
-            if (at_j == face.end()) continue;
+        for (auto p = at_i.begin(), q = at_j.begin(); p != at_i.end() && q != at_j.end();) {
+            if (*p != *q) {
+                ++(*p < *q ? p : q);
+                continue;
+            }
+            const auto face = mesh_.face(*p);
             const auto n = static_cast<std::ptrdiff_t>(face.size());
-            const auto gap = (at_j - face.begin() - pi + n) % n;
+            const auto gap = (std::find(face.begin(), face.end(), j) - std::find(face.begin(), face.end(), i) + n) % n;
             if (gap == 1 || gap == n - 1) return -1;
-            if (found < 0) found = f;
+            if (found < 0) found = *p;
+            ++p;
+            ++q;
         }
         return found;
     }
 
-    /// Where the straight line i–j, seen along the vector area of face f, passes a diagonal of its display triangles.
-    void cross_diagonals(Index f, Index i, Index j) {
+    /// Projects face f and gathers its diagonals, unless it is the face of the last call.
+    void enter(Index f) {
+        if (f == entered_) return;
+        entered_ = f;
+        diagonals_.clear();
         gather_corners(mesh_, f, corners_);
-        if (!project_maximally(corners_, projection_)) return;
+        projected_ = project_maximally(corners_, projection_);
         const auto face = mesh_.face(f);
-        const auto place = [&](Index v) {
-            return projection_.points[static_cast<std::size_t>(std::find(face.begin(), face.end(), v) - face.begin())];
-        };
-        const Eigen::Vector2d p = place(i);
-        const Eigen::Vector2d d = place(j) - p;
-        const auto cross = [](const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
-            return u.x() * v.y() - u.y() * v.x();
-        };
+        for (std::size_t k = 0; k < face.size(); ++k) {
+            corner_of_[static_cast<std::size_t>(face[k])] = k;
+        }
         const Index last = first_triangle_[static_cast<std::size_t>(f) + 1];
         for (Index t = first_triangle_[static_cast<std::size_t>(f)]; t < last; ++t) {
             const auto& triangle = display_.triangles[static_cast<std::size_t>(t)];
@@ -114,16 +120,30 @@ private:
                 const Index a = triangle[k];
                 const Index b = triangle[(k + 1) % 3];
                 const bool edge = (display_.edges[static_cast<std::size_t>(t)] >> k & 1U) != 0;
-                if (edge || a > b || a == i || a == j || b == i || b == j)
-                    continue;  // a diagonal is seen from both sides
-                const Eigen::Vector2d q = place(a);
-                const Eigen::Vector2d e = place(b) - q;
-                const double area = cross(d, e);
-                const double along = cross(q - p, e) / area;
-                const double across = cross(q - p, d) / area;
-                if (!(along > 0 && along < 1 && across > 0 && across < 1)) continue;
-                path_.push_back({along, (1 - across) * mesh_.position(a) + across * mesh_.position(b)});
+                if (!edge && a < b) diagonals_.emplace_back(a, b);  // each is seen from both sides
             }
+        }
+    }
+
+    /// Where the straight line i–j, seen along the vector area of face f, passes a diagonal of its display triangles.
+    void cross_diagonals(Index f, Index i, Index j) {
+        enter(f);
+        if (!projected_) return;
+        const auto place = [this](Index v) { return projection_.points[corner_of_[static_cast<std::size_t>(v)]]; };
+        const auto cross = [](const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
+            return u.x() * v.y() - u.y() * v.x();
+        };
+        const Eigen::Vector2d p = place(i);
+        const Eigen::Vector2d d = place(j) - p;
+        for (const auto& [a, b] : diagonals_) {
+            if (a == i || a == j || b == i || b == j) continue;
+            const Eigen::Vector2d q = place(a);
+            const Eigen::Vector2d e = place(b) - q;
+            const double area = cross(d, e);
+            const double along = cross(q - p, e) / area;
+            const double across = cross(q - p, d) / area;
+            if (!(along > 0 && along < 1 && across > 0 && across < 1)) continue;
+            path_.push_back({along, (1 - across) * mesh_.position(a) + across * mesh_.position(b)});
         }
     }
 
@@ -131,9 +151,29 @@ private:
     const DisplayTriangles& display_;
     VertexFaces at_vertex_;
     std::vector<Index> first_triangle_;
+    std::vector<Crossing> path_;
+
+    Index entered_ = -1;
+    bool projected_ = false;
     std::vector<Vector3> corners_;
     Projection projection_;
-    std::vector<Crossing> path_;
+    std::vector<std::size_t> corner_of_;  ///< Per vertex of the entered face: which corner it is there.
+    std::vector<std::pair<Index, Index>> diagonals_;
+};
+
+/// Steps through 0 … n-1, each once, so that any number of first steps is spread evenly: by the golden ratio of n.
+class EvenOrder {
+public:
+    explicit EvenOrder(std::size_t n) : n_(n), stride_(static_cast<std::size_t>(static_cast<double>(n) / 1.618034)) {
+        while (std::gcd(n_, stride_) != 1) {
+            ++stride_;
+        }
+    }
+    std::size_t next() { return at_ = (at_ + stride_) % n_; }
+
+private:
+    std::size_t n_, stride_;
+    std::size_t at_ = 0;
 };
 
 }  // namespace
@@ -165,11 +205,14 @@ DisplayTriangles triangulate_for_display(const PolygonMesh& mesh) {
     return display;
 }
 
-SurfaceLines drape_pairs(const PolygonMesh& mesh, const DisplayTriangles& display, std::span<const Weight> pairs) {
+SurfaceLines drape_pairs(const PolygonMesh& mesh, const DisplayTriangles& display, std::span<const Weight> pairs,
+                         std::size_t most_segments) {
     SurfaceLines lines;
     if (pairs.empty()) return lines;
     Draper draper(mesh, display);
-    for (std::size_t k = 0; k < pairs.size(); ++k) {
+    EvenOrder order(pairs.size());
+    for (std::size_t drawn = 0; drawn < pairs.size() && lines.segments.size() < most_segments; ++drawn) {
+        const std::size_t k = order.next();
         draper.add(static_cast<Index>(k), pairs[k].i, pairs[k].j, lines);
     }
     return lines;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -27,7 +29,10 @@ struct SurfaceLines {
     std::vector<Index> pair;    ///< Per segment: the pair it belongs to.
 };
 
-/// @param pairs vertex pairs; one without a common face is drawn straight
-SurfaceLines drape_pairs(const PolygonMesh& mesh, const DisplayTriangles& display, std::span<const Weight> pairs);
+/// @param pairs         vertex pairs; one without a common face is drawn straight
+/// @param most_segments where to stop: then the pairs that were drawn are spread evenly over all of them
+/// @return lines in no particular order.   Cost O(n) for a pair in a face of n corners
+SurfaceLines drape_pairs(const PolygonMesh& mesh, const DisplayTriangles& display, std::span<const Weight> pairs,
+                         std::size_t most_segments = std::numeric_limits<std::size_t>::max());
 
 }  // namespace polylap
