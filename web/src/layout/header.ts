@@ -25,6 +25,7 @@ export function header(app: App, actions: { open: () => void; paste: () => void;
     (source) => {
       meshes.querySelector(`[value=${opened}]`)?.remove();
       if (source.kind === 'file') meshes.prepend(h('option', { value: opened }, source.name));
+      meshes.title = source.kind === 'file' ? source.name : '';
       meshes.value = source.kind === 'file' ? opened : source.id;
     },
   );

@@ -29,7 +29,7 @@ export function parameterControls(app: App, side: Side): HTMLElement {
     const { id, label, hint } = parameter;
     const name = `${label} of ${side.toUpperCase()}`;
     const set = (value: number | string) => app.setParameter(side, id, value);
-    const hintElement = hint ? h('span', { class: 'hint' }, hint) : null;
+    const hintElement = hint ? h('span', { class: 'hint', title: hint }, hint) : null;
     const rowOf = (...controls: HTMLElement[]) =>
       h(
         'div',
