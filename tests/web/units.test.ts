@@ -5,7 +5,9 @@ import { boundaryPins, examplePins } from '../../web/src/boundary-pins.js';
 import { count, exact, real, weight } from '../../web/src/format.js';
 import { latest } from '../../web/src/latest.js';
 import { looksLikeObj } from '../../web/src/layout/intake.js';
+import { drawnPairs } from '../../web/src/layout/weights-panel.js';
 import type { Mesh } from '../../web/src/polylap.js';
+import { freshSide, sharedRange } from '../../web/src/results.js';
 import { sparseRow } from '../../web/src/sparse-row.js';
 import { initialState, withPin } from '../../web/src/state.js';
 import { Store } from '../../web/src/store.js';
@@ -26,8 +28,44 @@ describe('numbers for people', () => {
     [real(14.6032, 5), '14.603'],
     [real(2.5e-9, 3), '2.50e−9'],
     [weight(-0.4444), '−0.444'],
-    [weight(-1e-9), '0.000'],
+    [weight(-2.1e-4), '−2.1e−4'],
+    [weight(-0.0064), '−0.0064'],
+    [weight(-1e-9), '−1.0e−9'],
+    [weight(0), '0.000'],
+    [weight(-0), '0.000'],
+    [weight(-1234.6), '−1\u202f235'],
+    [weight(-1.23456e12), '−1.23e12'],
+    [real(1.5143e-10, 5), '1.51e−10'],
+    [real(-1.5143e-10, 5), '−1.5e−10'],
+    [real(1.23456e14, 5), '1.235e14'],
+    [exact(-1.23456789e-12), '−1.235e−12'],
+    [exact(1.23456789e12), '1.23457e12'],
+    [exact(-1e-300), '−1e−300'],
+    [drawnPairs({ pairs: new Int32Array(6), segmentPairs: Int32Array.of(2, 0, 2) }), '2 of 3'],
+    [drawnPairs({ pairs: new Int32Array(4), segmentPairs: Int32Array.of(1, 0, 1) }), '2'],
   ])('%s', (text, expected) => expect(text).toBe(expected));
+});
+
+describe('the range of colours', () => {
+  const side = (min: number, max: number, fixedMin: number, fixedMax: number) => ({
+    ...freshSide(),
+    harmonic: { values: new Float64Array(), outside: new Int32Array(), min, max, fixedMin, fixedMax },
+  });
+  it('is shared', () => {
+    const range = sharedRange({ a: side(-0.25, 1, 0, 1), b: side(0, 1.5, 0, 1) });
+    expect(range).toEqual({ min: -0.25, max: 1.5, single: null });
+  });
+  it.each([1, 0.3, 1e-20, -1e20])('knows that rounding is no width: %d', (value) => {
+    const range = sharedRange({ a: side(value, value * (1 + 4e-16), value, value), b: freshSide() });
+    expect(range?.single).toBe(value);
+    expect((range?.min ?? 0) + (range?.max ?? 0)).toBe(2 * value);
+  });
+  it('has a middle where all is zero', () => {
+    expect(sharedRange({ a: side(0, 0, 0, 0), b: freshSide() })).toEqual({ min: -1, max: 1, single: 0 });
+  });
+  it('is as narrow as the pins are', () => {
+    expect(sharedRange({ a: side(1, 1 + 1e-6, 1, 1 + 1e-6), b: freshSide() })?.single).toBe(null);
+  });
 });
 
 describe('state', () => {

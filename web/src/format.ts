@@ -11,28 +11,53 @@ export function count(value: number): string {
   );
 }
 
-/** A length, an area, a weight: `digits` significant digits, scientific only where plain digits would not fit a readout. */
+/** Characters that a number may take in a column of a table. */
+const room = 8;
+const exactRoom = 10;
+
+/** A length, an area, a weight: `digits` significant digits, fewer where the whole number would not fit its place. */
 export function real(value: number, digits = 4): string {
-  if (Number.isNaN(value)) return 'undefined';
-  if (value === 0) return '0';
-  if (!Number.isFinite(value)) return value > 0 ? '∞' : '−∞';
+  const special = specialText(value);
+  if (special) return special;
   const size = Math.abs(value);
-  if (size !== 0 && (size < 1e-4 || size >= 1e6)) return minus(value.toExponential(digits - 1));
+  if (size < 1e-4 || size >= 1e6) return fitting((d) => value.toExponential(d - 1), digits, room);
   const whole = Math.max(1, Math.floor(Math.log10(size)) + 1);
   if (whole >= digits) return count(value);
   return minus(value.toPrecision(digits));
 }
 
-/** Six significant digits without trailing zeros: 4/3 → "1.33333", 1 → "1". */
+/** Six significant digits without trailing zeros: 4/3 → "1.33333", 1 → "1"; fewer where they would not fit. */
 export function exact(value: number): string {
-  if (Number.isNaN(value)) return 'undefined';
-  return minus(Number(value.toPrecision(6)).toString());
+  const special = specialText(value);
+  if (special) return special;
+  const text = (digits: number) => {
+    const rounded = Number(value.toPrecision(digits));
+    const plain = rounded.toString();
+    return plain.length <= exactRoom ? plain : rounded.toExponential();
+  };
+  return fitting(text, 6, exactRoom);
 }
 
-/** A signed weight with fixed decimals, so that columns line up. */
+/** A signed weight: decimals that line up, as long as they show it. */
 export function weight(value: number): string {
-  const text = value.toFixed(3);
-  return minus(text === '-0.000' ? '0.000' : text);
+  const size = Math.abs(value);
+  if (value === 0 || Number.isNaN(value) || (size >= 0.01 && size < 999.9995)) return minus((value + 0).toFixed(3));
+  if (size >= 0.001 && size < 1) return minus(value.toPrecision(2));
+  return size < 1 ? minus(value.toExponential(1)) : real(value);
+}
+
+function specialText(value: number): string | null {
+  if (Number.isNaN(value)) return 'undefined';
+  if (value === 0) return '0';
+  return Number.isFinite(value) ? null : value > 0 ? '∞' : '−∞';
+}
+
+/** With as many digits as fit. */
+function fitting(write: (digits: number) => string, most: number, width: number): string {
+  for (let digits = most; ; digits--) {
+    const text = write(digits).replace('e+', 'e');
+    if (text.length <= width || digits === 1) return minus(text);
+  }
 }
 
 export function plural(value: number, one: string, many = `${one}s`): string {

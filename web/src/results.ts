@@ -1,4 +1,4 @@
-import type { Harmonic, Matrices, Mesh, Shape, Weights } from './polylap.js';
+import type { Harmonic, Matrices, Mesh, Shape, Side, Weights } from './polylap.js';
 
 /** What the core said about one side's surface. A string stands where it said why not. */
 export interface SideResults {
@@ -53,13 +53,28 @@ export function noResults(): Results {
   };
 }
 
+export interface Range {
+  min: number;
+  max: number;
+  /** The one value everywhere, in the middle of the range. */
+  single: number | null;
+}
+
+/** Values that differ by less, beside the largest of them, differ by rounding. */
+const rounding = 1e-9;
+
 /** One range for both sides, so that equal colours are equal values; null when there is nothing to show. */
-export function sharedRange(results: Results): { min: number; max: number } | null {
+export function sharedRange(results: Pick<Results, Side>): Range | null {
   const shown = [results.a.harmonic, results.b.harmonic].filter(
     (harmonic) => harmonic !== null && typeof harmonic !== 'string',
   );
   if (shown.length === 0) return null;
   const min = Math.min(...shown.map((harmonic) => harmonic.min));
   const max = Math.max(...shown.map((harmonic) => harmonic.max));
-  return max > min ? { min, max } : { min: min - 0.5, max: max + 0.5 };
+  const size = Math.max(...shown.flatMap(({ fixedMin, fixedMax }) => [Math.abs(fixedMin), Math.abs(fixedMax)]));
+  if (max - min > rounding * size) return { min, max, single: null };
+  // What was pinned, rather than what rounding made of it.
+  const single = shown[0]?.fixedMin ?? min;
+  const reach = size || 1;
+  return { min: single - reach, max: single + reach, single };
 }

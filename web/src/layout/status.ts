@@ -49,14 +49,20 @@ function legend(app: App): HTMLElement {
   const low = h('output', { 'data-readout': 'range-min' });
   const high = h('output', { 'data-readout': 'range-max' });
   const ramp = h('canvas', { width: 256, height: 1, class: 'ramp', 'aria-hidden': 'true' });
-  ramp.getContext('2d')?.putImageData(new ImageData(new Uint8ClampedArray(viridis()), 256, 1), 0, 0);
+  const colours = viridis();
+  const paint = (single: boolean) => {
+    const middle = colours.subarray(4 * 128, 4 * 129);
+    const shown = single ? Uint8ClampedArray.from(colours, (_, k) => middle[k % 4] as number) : colours;
+    ramp.getContext('2d')?.putImageData(new ImageData(new Uint8ClampedArray(shown), 256, 1), 0, 0);
+  };
+  const outside = h('span', { class: 'legend-outside' }, '× outside');
   const values = h(
     'span',
     { class: 'legend-values', role: 'group', 'aria-label': 'Colours of A and B' },
     low,
     ramp,
     high,
-    h('span', { class: 'legend-outside' }, '× outside'),
+    outside,
   );
   const element = h(
     'div',
@@ -69,6 +75,14 @@ function legend(app: App): HTMLElement {
     const coloured = app.state.get().task === 'harmonic' && range !== null;
     values.hidden = !coloured;
     if (!range) return;
+    const single = range.single !== null;
+    values.classList.toggle('single', single);
+    paint(single);
+    high.hidden = outside.hidden = single;
+    if (range.single !== null) {
+      put(low, `${exact(range.single)} everywhere`, range.single);
+      return;
+    }
     put(low, exact(range.min), range.min);
     put(high, exact(range.max), range.max);
   };

@@ -34,7 +34,6 @@ export function sideTable(caption: string, rows: readonly { id: string; name: st
     if (!target) return;
     put(target, cell.text, cell.value);
     target.className = cell.class ?? '';
-    target.title = cell.text.length > 14 ? cell.text : '';
   };
   const rename = (id: string, name: string) => {
     const head = names.get(id);

@@ -1,8 +1,8 @@
 import { type App, rowLimit } from '../app.js';
 import { h } from '../dom.js';
 import { count, plural, weight } from '../format.js';
-import type { Mesh, operators, Side } from '../polylap.js';
-import { drawnLimit, wideLimit } from '../scene/line-limits.js';
+import type { Mesh, operators, Side, Weights } from '../polylap.js';
+import { wideLimit } from '../scene/lines.js';
 import { sparseRow } from '../sparse-row.js';
 import { operatorOf, sides } from '../state.js';
 import { stencil } from './stencil.js';
@@ -55,10 +55,12 @@ export function weightsPanel(app: App): HTMLElement {
         const known = weights !== null && typeof weights !== 'string';
         for (const id of ['smallest', 'largest'] as const) {
           const value = known ? weights[id] : null;
+          // A zero that rounding made negative counts as none, and looks like none.
+          const minus = known && weights[id] < 0 && weights.negativeOrdered > 0;
           extremes.set(id, side, {
-            text: value === null ? '–' : weight(value),
+            text: value === null ? '–' : weight(value < 0 && !minus ? 0 : value),
             value,
-            class: value !== null && value < 0 ? 'negative' : '',
+            class: minus ? 'negative' : '',
           });
         }
       },
@@ -80,15 +82,9 @@ export function weightsPanel(app: App): HTMLElement {
         lines.textContent = known.length > 0 ? 'No weight is negative.' : '';
         return;
       }
-      const drawn = known.map((weights) => count(weights.pairs.length / 2)).join(' | ');
-      const most = Math.max(...known.map((weights) => weights.segmentStarts.length));
-      const how =
-        most > drawnLimit
-          ? `, one in ${Math.ceil(most / drawnLimit)} of them`
-          : most > wideLimit
-            ? ', as hairlines'
-            : '';
-      lines.textContent = `Dashed on the mesh${how}: ${drawn} pairs, each counted both ways.`;
+      const pairs = known.map((weights) => drawnPairs(weights)).join(' | ');
+      const hairlines = known.some((weights) => weights.segmentStarts.length > wideLimit);
+      lines.textContent = `Dashed on the mesh${hairlines ? ' as hairlines' : ''}, drawn: ${pairs} pairs, each counted both ways.`;
     },
   );
 
@@ -119,6 +115,13 @@ export function weightsPanel(app: App): HTMLElement {
   app.state.watch((state) => [state.selected], showRow);
   app.results.watch((results) => [results.a.matrices, results.b.matrices], showRow);
   return element;
+}
+
+/** How many negative pairs are drawn, and of how many if not all are. */
+export function drawnPairs({ pairs, segmentPairs }: Pick<Weights, 'pairs' | 'segmentPairs'>): string {
+  const all = pairs.length / 2;
+  const drawn = new Set(segmentPairs).size;
+  return drawn < all ? `${count(drawn)} of ${count(all)}` : count(all);
 }
 
 /** Column → entry of S in the row of a vertex, without the entries that are only rounding. */

@@ -11,7 +11,9 @@ import {
   Vector2,
   Vector3,
 } from 'three';
-import { drawnLimit, wideLimit } from './line-limits.js';
+
+/** Up to here lines are as wide as they should be; beyond, hairlines. */
+export const wideLimit = 30_000;
 
 const shared = /* glsl */ `
 uniform vec2 viewport;
@@ -65,7 +67,6 @@ const clearLength = 8;
 export interface Segments {
   segments: Float32Array;
   segmentStarts: Float32Array;
-  segmentPairs: Int32Array;
 }
 
 /** Dashed lines on a surface: dashed, so that they are never told by colour alone. */
@@ -94,7 +95,7 @@ export class DashedLines {
     });
     this.meanLength = meanLength(lines.segments);
     this.object = hairlines
-      ? new LineSegments(thinGeometry(lines, Math.ceil(total / drawnLimit)), this.material)
+      ? new LineSegments(thinGeometry(lines), this.material)
       : new Mesh(wideGeometry(lines), this.material);
     this.object.frustumCulled = false;
     this.object.renderOrder = 1;
@@ -135,23 +136,15 @@ function wideGeometry({ segments, segmentStarts }: Segments): BufferGeometry {
   return geometry;
 }
 
-function thinGeometry({ segments, segmentStarts, segmentPairs }: Segments, thinning: number): BufferGeometry {
-  const total = segmentStarts.length;
-  const position = thinning === 1 ? segments.slice() : new Float32Array(segments.length);
-  const start = new Float32Array(2 * total);
-  let kept = 0;
-  for (let s = 0; s < total; s++) {
-    if ((segmentPairs[s] as number) % thinning !== 0) continue;
-    if (thinning > 1) position.set(segments.subarray(6 * s, 6 * s + 6), 6 * kept);
-    const from = segmentStarts[s] as number;
-    start[2 * kept] = from;
-    start[2 * kept + 1] = from + segmentLength(segments, s);
-    kept++;
-  }
+function thinGeometry({ segments, segmentStarts }: Segments): BufferGeometry {
+  const start = new Float32Array(2 * segmentStarts.length);
+  segmentStarts.forEach((from, s) => {
+    start[2 * s] = from;
+    start[2 * s + 1] = from + segmentLength(segments, s);
+  });
   const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(position, 3));
+  geometry.setAttribute('position', new BufferAttribute(segments, 3));
   geometry.setAttribute('start', new BufferAttribute(start, 1));
-  geometry.setDrawRange(0, 2 * kept);
   return geometry;
 }
 
