@@ -4,16 +4,19 @@ import { spawn } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, readFileSync, realpathSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
-import { delimiter, join } from 'node:path';
+import { delimiter, dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 export const root = fileURLToPath(new URL('..', import.meta.url));
+
+/** Debian's emscripten brings its own, older Node: what runs from here goes on with the one that runs this. */
+const path = [dirname(process.execPath), process.env.PATH].join(delimiter);
 
 /** Runs a command in the root folder with its output on the terminal; rejects unless it ends with code 0. */
 export function run(command, args = [], { env = {}, quiet = false } = {}) {
   return new Promise((resolve, reject) => {
     const stdio = quiet ? ['ignore', 'ignore', 'inherit'] : ['ignore', 'inherit', 'inherit'];
-    const child = spawn(command, args, { cwd: root, stdio, env: { ...process.env, ...env } });
+    const child = spawn(command, args, { cwd: root, stdio, env: { ...process.env, PATH: path, ...env } });
     child.once('error', (error) => reject(new Error(`${command} could not be started: ${error.message}`)));
     child.once('close', (code, signal) => {
       if (code === 0) resolve();
@@ -59,12 +62,7 @@ export async function build(preset, targets = []) {
 export const buildSite = () => runTool('vite', ['build', 'web']);
 
 /** What `npm pack` packs: the TypeScript of wasm/src as modules with types, in build/npm. Needs the wasm preset. */
-export async function buildPackage() {
-  await runTool('tsc', ['-p', 'wasm/tsconfig.json']);
-  // The one name that TypeScript leaves as it is: a URL, no import.
-  const index = join(root, 'build/npm/index.js');
-  writeFileSync(index, readFileSync(index, 'utf8').replace("'./worker.ts'", "'./worker.js'"));
-}
+export const buildPackage = () => runTool('tsc', ['-p', 'wasm/tsconfig.json']);
 
 const goals = {
   async native() {

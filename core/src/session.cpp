@@ -122,13 +122,15 @@ Result<Session> Session::from_mesh(PolygonMesh mesh) {
 }
 
 Result<Session> Session::open(std::span<const std::byte> bytes, std::string_view name, Monitor monitor) {
-    if (lower_case_ending(name) != ".obj") {
-        return Error{ErrorCode::bad_argument,
-                     "'" + std::string(name) + "' is not an OBJ file: its name must end in .obj"};
-    }
-    auto mesh = read_obj(bytes, monitor);
-    if (!mesh) return mesh.error();
-    return from_mesh(*std::move(mesh));
+    return guard_memory([&]() -> Result<Session> {
+        if (lower_case_ending(name) != ".obj") {
+            return Error{ErrorCode::bad_argument,
+                         "'" + std::string(name) + "' is not an OBJ file: its name must end in .obj"};
+        }
+        auto mesh = read_obj(bytes, monitor);
+        if (!mesh) return mesh.error();
+        return from_mesh(*std::move(mesh));
+    });
 }
 
 const PolygonMesh& Session::mesh() const noexcept {
@@ -145,10 +147,12 @@ const Vector3& Session::origin() const noexcept {
 }
 
 Status Session::set_operator(Side side, OperatorSpec spec) {
-    auto complete = complete_spec(std::move(spec));
-    if (!complete) return complete.error();
-    impl_->side(side).spec = *std::move(complete);
-    return Done{};
+    return guard_memory([&]() -> Status {
+        auto complete = complete_spec(std::move(spec));
+        if (!complete) return complete.error();
+        impl_->side(side).spec = *std::move(complete);
+        return Done{};
+    });
 }
 
 const OperatorSpec& Session::spec(Side side) const noexcept {
@@ -166,10 +170,12 @@ std::vector<float> Session::float_positions(Side side) const {
 }
 
 Result<const OperatorMatrices*> Session::matrices(Side side, Monitor monitor) {
-    const SideState& state = impl_->side(side);
-    auto built = impl_->build(state.surface, state.key(), monitor);
-    if (!built) return built.error();
-    return built->get();  // the cache holds it until a later call
+    return guard_memory([&]() -> Result<const OperatorMatrices*> {
+        const SideState& state = impl_->side(side);
+        auto built = impl_->build(state.surface, state.key(), monitor);
+        if (!built) return built.error();
+        return built->get();  // the cache holds it until a later call
+    });
 }
 
 Result<Session::Weights> Session::weights(Side side, Monitor monitor) {
@@ -204,27 +210,34 @@ Session::Shape Session::shape(Side side) const {
 }
 
 Status Session::smooth(Side side, const SmoothOptions& options, Monitor monitor) {
-    if (options.steps < 0) return Error{ErrorCode::bad_argument, "the number of steps must not be negative"};
-    SideState& state = impl_->side(side);
-    SideState moved = state;
-    for (int k = 0; k < options.steps; ++k) {
-        if (!monitor.proceed(static_cast<double>(k) / options.steps)) return Error{ErrorCode::cancelled, "cancelled"};
-        const MatricesKey key = options.rebuild ? moved.key() : MatricesKey{0, moved.spec};
-        const auto built = impl_->build(options.rebuild ? moved.surface : impl_->loaded, key, {});
-        if (!built) return built.error();
-        SmootherSlot& slot = impl_->smoother(side);
-        if (Status status = slot.prepare(key, options.time, **built); !status) return status;
-        auto points = slot.smoother->step(moved.surface.positions());
-        if (!points) return points.error();
-        auto surface = moved.surface.with_positions(*std::move(points));
-        if (!surface) return surface.error();
-        moved.surface = *std::move(surface);
-        moved.version = ++impl_->last_version;
-        ++moved.steps;
-    }
-    if (!monitor.proceed(1)) return Error{ErrorCode::cancelled, "cancelled"};
-    state = std::move(moved);
-    return Done{};
+    return guard_memory([&]() -> Status {
+        SideState& state = impl_->side(side);
+        if (options.steps < 0 || options.steps > std::numeric_limits<int>::max() - state.steps) {
+            return Error{ErrorCode::bad_argument, "the number of steps must not be negative, nor beyond counting"};
+        }
+        SideState moved = state;
+        for (int k = 0; k < options.steps; ++k) {
+            if (!monitor.proceed(static_cast<double>(k) / options.steps))
+                return Error{ErrorCode::cancelled, "cancelled"};
+            // The matrices take about half of a step, the factor the other half.
+            Stretch building{monitor, static_cast<double>(k) / options.steps, (k + 0.5) / options.steps};
+            const MatricesKey key = options.rebuild ? moved.key() : MatricesKey{0, moved.spec};
+            const auto built = impl_->build(options.rebuild ? moved.surface : impl_->loaded, key, building.monitor());
+            if (!built) return built.error();
+            SmootherSlot& slot = impl_->smoother(side);
+            if (Status status = slot.prepare(key, options.time, **built); !status) return status;
+            auto points = slot.smoother->step(moved.surface.positions());
+            if (!points) return points.error();
+            auto surface = moved.surface.with_positions(*std::move(points));
+            if (!surface) return surface.error();
+            moved.surface = *std::move(surface);
+            moved.version = ++impl_->last_version;
+            ++moved.steps;
+        }
+        if (!monitor.proceed(1)) return Error{ErrorCode::cancelled, "cancelled"};
+        state = std::move(moved);
+        return Done{};
+    });
 }
 
 Result<Session::Harmonic> Session::harmonic(Side side, std::span<const Index> vertices, std::span<const double> values,
@@ -237,8 +250,10 @@ Result<Session::Harmonic> Session::harmonic(Side side, std::span<const Index> ve
         const SideState& state = impl_->side(side);
         const DirichletKey key{state.key(), {vertices.begin(), vertices.end()}};
         const auto problem = impl_->problems.get(key, [&]() -> Result<DirichletProblem> {
-            const auto built = impl_->build(state.surface, key.matrices, monitor);
+            Stretch building{monitor, 0, 0.3};
+            const auto built = impl_->build(state.surface, key.matrices, building.monitor());
             if (!built) return built.error();
+            if (!monitor.proceed(0.3)) return Error{ErrorCode::cancelled, "cancelled"};
             return DirichletProblem::create((*built)->stiffness, key.fixed);
         });
         if (!problem) return problem.error();
@@ -251,6 +266,7 @@ Result<Session::Harmonic> Session::harmonic(Side side, std::span<const Index> ve
         const double base = shift && given.allFinite() && std::isfinite(width) ? given.minCoeff() : 0;
         const auto above = (*problem)->solve(Vector(given.array() - base));
         if (!above) return above.error();
+        if (!monitor.proceed(1)) return Error{ErrorCode::cancelled, "cancelled"};
 
         Harmonic harmonic;
         harmonic.fixed_min = harmonic.min = given.minCoeff();
@@ -282,14 +298,16 @@ void Session::reset(Side side) {
 }
 
 Status Session::restore(Side side, Points positions, int steps) {
-    if (steps < 0) return Error{ErrorCode::bad_argument, "the number of steps must not be negative"};
-    auto surface = impl_->loaded.with_positions(std::move(positions));
-    if (!surface) return surface.error();
-    SideState& state = impl_->side(side);
-    state.surface = *std::move(surface);
-    state.version = ++impl_->last_version;
-    state.steps = steps;
-    return Done{};
+    return guard_memory([&]() -> Status {
+        if (steps < 0) return Error{ErrorCode::bad_argument, "the number of steps must not be negative"};
+        auto surface = impl_->loaded.with_positions(std::move(positions));
+        if (!surface) return surface.error();
+        SideState& state = impl_->side(side);
+        state.surface = *std::move(surface);
+        state.version = ++impl_->last_version;
+        state.steps = steps;
+        return Done{};
+    });
 }
 
 }  // namespace polylap

@@ -44,7 +44,8 @@ ShapeMeasures measure_shape(const PolygonMesh& mesh, const Topology& topology) {
     for (Index f = 0; f < mesh.face_count(); ++f) {
         gather_corners(mesh, f, corners);
         const Vector3 a = vector_area(corners);
-        measures.area += a.norm();
+        const double area = a.stableNorm();
+        measures.area += area;
         if (corners.size() == 3 || has_zero_area(corners, a)) continue;
         Vector3 centre = Vector3::Zero();
         for (const Vector3& x : corners) {
@@ -53,10 +54,10 @@ ShapeMeasures measure_shape(const PolygonMesh& mesh, const Topology& topology) {
         centre /= static_cast<double>(corners.size());
         double squares = 0;
         for (const Vector3& x : corners) {
-            const double height = a.normalized().dot(x - corners[0] - centre);
+            const double height = (a / area).dot(x - corners[0] - centre);
             squares += height * height;
         }
-        measures.mean_non_planarity += std::sqrt(squares / static_cast<double>(corners.size()) / a.norm());
+        measures.mean_non_planarity += std::sqrt(squares / static_cast<double>(corners.size()) / area);
     }
     measures.mean_non_planarity /= mesh.face_count();
     for (const Edge& e : topology.edges) {
@@ -67,29 +68,31 @@ ShapeMeasures measure_shape(const PolygonMesh& mesh, const Topology& topology) {
 }
 
 Result<double> enclosed_volume(const PolygonMesh& mesh, const Topology& topology) {
-    for (std::size_t k = 0; k < topology.edges.size(); ++k) {
-        const Edge& e = topology.edges[k];
-        if (!e.boundary() && e.manifold() && e.oriented()) continue;
-        const std::string edge = "edge " + std::to_string(e.v0) + "–" + std::to_string(e.v1);
-        const auto element = static_cast<std::int64_t>(k);
-        if (e.boundary()) return Error{ErrorCode::open_mesh, "the surface is open at " + edge, element};
-        return Error{ErrorCode::non_manifold_edge,
-                     "the faces at " + edge + " do not bound a volume (" + std::to_string(e.forward) +
-                         " run along it, " + std::to_string(e.backward) + " against it)",
-                     element};
-    }
-    const Vector3 origin = mesh.position(mesh.face(0)[0]);
-    double volume = 0;
-    std::vector<Vector3> corners;
-    for (Index f = 0; f < mesh.face_count(); ++f) {
-        gather_corners(mesh, f, corners);
-        Vector3 centre = Vector3::Zero();
-        for (const Vector3& x : corners) {
-            centre += x - origin;
+    return guard_memory([&]() -> Result<double> {
+        for (std::size_t k = 0; k < topology.edges.size(); ++k) {
+            const Edge& e = topology.edges[k];
+            if (!e.boundary() && e.manifold() && e.oriented()) continue;
+            const std::string edge = "edge " + std::to_string(e.v0) + "–" + std::to_string(e.v1);
+            const auto element = static_cast<std::int64_t>(k);
+            if (e.boundary()) return Error{ErrorCode::open_mesh, "the surface is open at " + edge, element};
+            return Error{ErrorCode::non_manifold_edge,
+                         "the faces at " + edge + " do not bound a volume (" + std::to_string(e.forward) +
+                             " run along it, " + std::to_string(e.backward) + " against it)",
+                         element};
         }
-        volume += vector_area(corners).dot(centre) / (3 * static_cast<double>(corners.size()));
-    }
-    return volume;
+        const Vector3 origin = mesh.position(mesh.face(0)[0]);
+        double volume = 0;
+        std::vector<Vector3> corners;
+        for (Index f = 0; f < mesh.face_count(); ++f) {
+            gather_corners(mesh, f, corners);
+            Vector3 centre = Vector3::Zero();
+            for (const Vector3& x : corners) {
+                centre += x - origin;
+            }
+            volume += vector_area(corners).dot(centre) / (3 * static_cast<double>(corners.size()));
+        }
+        return volume;
+    });
 }
 
 }  // namespace polylap

@@ -6,14 +6,20 @@
 namespace polylap {
 
 Result<ImplicitSmoother> ImplicitSmoother::create(const OperatorMatrices& matrices, double time) {
-    ImplicitSmoother smoother;
-    if (Status status = smoother.update(matrices, time); !status) return status.error();
-    return smoother;
+    return guard_memory([&]() -> Result<ImplicitSmoother> {
+        ImplicitSmoother smoother;
+        if (Status status = smoother.update(matrices, time); !status) return status.error();
+        return smoother;
+    });
 }
 
 Status ImplicitSmoother::update(const OperatorMatrices& matrices, double time) {
     if (!(time > 0) || !std::isfinite(time)) {
         return Error{ErrorCode::bad_argument, "the time step must be a positive number"};
+    }
+    const auto n = matrices.stiffness.rows();
+    if (matrices.stiffness.cols() != n || matrices.mass.rows() != n || matrices.mass.cols() != n) {
+        return Error{ErrorCode::bad_argument, "stiffness and mass must be square and of the same size"};
     }
     return guard_memory([&]() -> Status {
         Vector mass = matrices.mass.diagonal();
@@ -32,7 +38,7 @@ Status ImplicitSmoother::update(const OperatorMatrices& matrices, double time) {
             Error error = status.error();
             if (error.code == ErrorCode::not_positive_definite) {
                 error.message = "M + tS is not positive definite at vertex " + std::to_string(error.element) +
-                                ", where the surface may have collapsed";
+                                ", where the surface may have collapsed, or t is too large";
             }
             return error;
         }
@@ -46,7 +52,12 @@ Result<Points> ImplicitSmoother::step(const Points& points) const {
         return Error{ErrorCode::bad_argument, "the operator has " + std::to_string(mass_.size()) + " vertices, but " +
                                                   std::to_string(points.rows()) + " points were given"};
     }
-    return guard_memory([&]() -> Result<Points> { return Points(factor_.solve(mass_.asDiagonal() * points)); });
+    if (!points.allFinite()) return Error{ErrorCode::bad_argument, "the points must be finite"};
+    return guard_memory([&]() -> Result<Points> {
+        const auto moved = factor_.solve(mass_.asDiagonal() * points);
+        if (!moved) return moved.error();
+        return Points(*moved);
+    });
 }
 
 }  // namespace polylap

@@ -1,8 +1,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <limits>
+#include <utility>
 
+#include "base/square.hpp"
 #include "face/triangulation_rules.hpp"
 
 namespace polylap {
@@ -12,8 +16,7 @@ namespace {
 class Chords {
 public:
     /// Joins nothing yet.
-    explicit Chords(Index size)
-        : size_(size), joined_(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), 0) {}
+    explicit Chords(Index size) : size_(size), joined_(square(static_cast<std::size_t>(size)), 0) {}
 
     /// Joins all edges and inside diagonals. O(n²) if strictly convex, otherwise O(n³).
     explicit Chords(const PlanePolygon& polygon) : Chords(polygon.size()) {
@@ -39,6 +42,10 @@ private:
 /// Angles closer than this, in radians, tie: equal in exact arithmetic, different by rounding.
 constexpr double angle_tolerance = 1e-12;
 
+/// Up to this many corners ties are resolved exactly; their lists of angles take n³/2 numbers. Beyond, the first apex
+/// wins.
+constexpr Index exact_tie_corners = 64;
+
 /// Finds the triangulation with the smallest sorted list of angles by dynamic programming over sub-polygons (Klincsek
 /// 1980): such lists, largest first, keep their order when the same angles are added to both, so the best whole
 /// consists of best parts.
@@ -48,7 +55,8 @@ public:
         : polygon_(polygon),
           chords_(polygon),
           n_(polygon.size()),
-          parts_(static_cast<std::size_t>(n_) * static_cast<std::size_t>(n_)) {}
+          exact_ties_(n_ <= exact_tie_corners),
+          parts_(square(static_cast<std::size_t>(n_))) {}
 
     bool run(std::vector<Triangle>& out) {
         for (Index length = 2; length < n_; ++length) {
@@ -57,14 +65,17 @@ public:
             }
         }
         out.clear();
-        return collect(0, n_ - 1, [&](const Triangle& t) { out.push_back(t); });
+        return collect(out);
     }
 
 private:
+    using Angles = std::vector<double>;  // largest first
+
     /// The part of the polygon between corners i < j, cut off by the chord i–j.
     struct Part {
         double largest = std::numeric_limits<double>::infinity();
         Index apex = -1;
+        Angles angles;  ///< Only for exact ties.
     };
     Part& part(Index i, Index j) {
         return parts_[static_cast<std::size_t>(i) * static_cast<std::size_t>(n_) + static_cast<std::size_t>(j)];
@@ -75,9 +86,6 @@ private:
         const Eigen::Vector2d v = polygon_[b] - polygon_[o];
         return std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v));
     }
-    std::array<double, 3> angles(const Triangle& t) const {
-        return {angle(t[1], t[0], t[2]), angle(t[2], t[1], t[0]), angle(t[0], t[2], t[1])};
-    }
 
     void choose(Index i, Index j) {
         Part best;
@@ -85,50 +93,46 @@ private:
             const double left = k == i + 1 ? 0 : part(i, k).largest;
             const double right = k + 1 == j ? 0 : part(k, j).largest;
             if (std::isinf(left) || std::isinf(right) || polygon_.side(i, k, j) <= 0) continue;
-            const auto own = angles({i, k, j});
+            const std::array<double, 3> own{angle(k, i, j), angle(j, k, i), angle(i, j, k)};
             const double largest = std::max({left, right, own[0], own[1], own[2]});
             if (largest > best.largest + angle_tolerance) continue;
-            if (largest > best.largest - angle_tolerance && !less(i, j, k, best.apex)) continue;
-            best = {largest, k};
+            if (!exact_ties_) {
+                if (largest < best.largest - angle_tolerance) best = {largest, k, {}};
+                continue;
+            }
+            Angles angles = merged(own, part(i, k).angles, part(k, j).angles);
+            if (largest > best.largest - angle_tolerance && !smaller(angles, best.angles)) continue;
+            best = {largest, k, std::move(angles)};
         }
-        part(i, j) = best;
+        part(i, j) = std::move(best);
     }
 
-    /// Apex k gives the part i–j a smaller list of angles than apex l.
-    bool less(Index i, Index j, Index k, Index l) {
-        const auto a = sorted_angles(i, j, k);
-        const auto b = sorted_angles(i, j, l);
+    static Angles merged(std::array<double, 3> own, const Angles& left, const Angles& right) {
+        std::sort(own.begin(), own.end(), std::greater<>());
+        Angles sides;
+        std::merge(left.begin(), left.end(), right.begin(), right.end(), std::back_inserter(sides), std::greater<>());
+        Angles all;
+        std::merge(sides.begin(), sides.end(), own.begin(), own.end(), std::back_inserter(all), std::greater<>());
+        return all;
+    }
+
+    static bool smaller(const Angles& a, const Angles& b) {
         for (std::size_t m = 0; m < a.size(); ++m) {
             if (std::abs(a[m] - b[m]) > angle_tolerance) return a[m] < b[m];
         }
         return false;
     }
 
-    std::vector<double> sorted_angles(Index i, Index j, Index apex) {
-        std::vector<double> list;
-        const auto add = [&](const Triangle& t) {
-            for (const double a : angles(t)) {
-                list.push_back(a);
-            }
-        };
-        add({i, apex, j});
-        collect(i, apex, add);
-        collect(apex, j, add);
-        std::sort(list.begin(), list.end(), std::greater<>());
-        return list;
-    }
-
-    /// Hands over the triangles of a part; false if it has none.
-    template <class Visit>
-    bool collect(Index i, Index j, Visit&& visit) {
-        std::vector<std::pair<Index, Index>> open{{i, j}};
+    /// Hands over the triangles of the whole; false if it has none.
+    bool collect(std::vector<Triangle>& out) {
+        std::vector<std::pair<Index, Index>> open{{0, n_ - 1}};
         while (!open.empty()) {
             const auto [a, b] = open.back();
             open.pop_back();
             if (b == a + 1) continue;
             const Index k = part(a, b).apex;
             if (k < 0) return false;
-            visit(Triangle{a, k, b});
+            out.push_back({a, k, b});
             open.emplace_back(k, b);
             open.emplace_back(a, k);
         }
@@ -138,6 +142,7 @@ private:
     const PlanePolygon& polygon_;
     Chords chords_;
     Index n_;
+    bool exact_ties_;
     std::vector<Part> parts_;
 };
 

@@ -16,30 +16,32 @@ Status cut_fan(const PlanePolygon& polygon, std::vector<Triangle>& out) {
         if (static_cast<Index>(out.size()) == n - 2) return Done{};
     }
     return Error{ErrorCode::degenerate_face,
-                 "no corner sees the whole face, so it has no fan; another rule can cut it"};
+                 "no corner has a fan of triangles that all lie inside and have area; another rule can cut this face"};
 }
 
 Status triangulate_polygon(std::span<const Eigen::Vector2d> points, TriangulationRule rule,
                            std::vector<Triangle>& out) {
-    if (points.size() < 3) return Error{ErrorCode::degenerate_face, "it has fewer than three corners"};
-    const PlanePolygon polygon(points);
-    if (!polygon.simple()) return Error{ErrorCode::degenerate_face, "its projection crosses or touches itself"};
-    if (points.size() == 3) {
-        if (polygon.side(0, 1, 2) <= 0) return Error{ErrorCode::degenerate_face, "its projection has no area"};
-        out.assign({{0, 1, 2}});
-        return Done{};
-    }
-    switch (rule) {
-        case TriangulationRule::delaunay:
-            return cut_delaunay(polygon, out);
-        case TriangulationRule::min_max_angle:
-            return cut_min_max_angle(polygon, out);
-        case TriangulationRule::shortest_diagonal:
-            return cut_shortest_diagonal(polygon, out);
-        case TriangulationRule::fan:
-            return cut_fan(polygon, out);
-    }
-    return Error{ErrorCode::bad_argument, "unknown triangulation rule"};
+    return guard_memory([&]() -> Status {
+        if (points.size() < 3) return Error{ErrorCode::degenerate_face, "it has fewer than three corners"};
+        const PlanePolygon polygon(points);
+        if (!polygon.simple()) return Error{ErrorCode::degenerate_face, "its projection crosses or touches itself"};
+        if (points.size() == 3) {
+            if (polygon.side(0, 1, 2) <= 0) return Error{ErrorCode::degenerate_face, "its projection has no area"};
+            out.assign({{0, 1, 2}});
+            return Done{};
+        }
+        switch (rule) {
+            case TriangulationRule::delaunay:
+                return cut_delaunay(polygon, out);
+            case TriangulationRule::min_max_angle:
+                return cut_min_max_angle(polygon, out);
+            case TriangulationRule::shortest_diagonal:
+                return cut_shortest_diagonal(polygon, out);
+            case TriangulationRule::fan:
+                return cut_fan(polygon, out);
+        }
+        return Error{ErrorCode::bad_argument, "unknown triangulation rule"};
+    });
 }
 
 }  // namespace polylap

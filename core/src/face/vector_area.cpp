@@ -18,13 +18,13 @@ bool has_zero_area(Corners corners, const Vector3& area) {
     for (std::size_t k = 0; k < corners.size(); ++k) {
         perimeter += (corners[k + 1 < corners.size() ? k + 1 : 0] - corners[k]).norm();
     }
-    return area.norm() <= zero_area_ratio * perimeter * perimeter;
+    return area.stableNorm() <= zero_area_ratio * perimeter * perimeter;
 }
 
 bool project_maximally(Corners corners, Projection& out) {
     const Vector3 a = vector_area(corners);
     if (has_zero_area(corners, a)) return false;
-    out.area = a.norm();
+    out.area = a.stableNorm();
     out.normal = a / out.area;
     const Vector3 axis1 = out.normal.unitOrthogonal();
     const Vector3 axis2 = out.normal.cross(axis1);

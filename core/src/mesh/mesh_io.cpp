@@ -9,18 +9,6 @@
 namespace polylap {
 namespace {
 
-/// A stretch [from, to] of the progress of a call, as a monitor of its own.
-struct Stretch {
-    Monitor whole;
-    double from = 0, to = 1;
-
-    Monitor monitor() { return {tick, this}; }
-    static bool tick(void* user, double fraction) {
-        const auto& [whole, from, to] = *static_cast<Stretch*>(user);
-        return whole.proceed(from + fraction * (to - from));
-    }
-};
-
 /// Appends as printf's %.17g does in the C locale: reading it back gives the same double, and a German locale writes no
 /// comma.
 void append_double(std::string& text, double value) {

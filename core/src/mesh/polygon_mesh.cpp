@@ -65,12 +65,14 @@ Result<PolygonMesh> PolygonMesh::create(Points positions, std::vector<Index> off
 }
 
 Result<PolygonMesh> PolygonMesh::with_positions(Points positions) const {
-    if (positions.rows() != vertex_count()) {
-        return Error{ErrorCode::bad_argument, "the mesh has " + std::to_string(vertex_count()) + " vertices, but " +
-                                                  std::to_string(positions.rows()) + " positions were given"};
-    }
-    if (auto status = check_finite(positions); !status) return status.error();
-    return PolygonMesh(connectivity_, std::move(positions));
+    return guard_memory([&]() -> Result<PolygonMesh> {
+        if (positions.rows() != vertex_count()) {
+            return Error{ErrorCode::bad_argument, "the mesh has " + std::to_string(vertex_count()) + " vertices, but " +
+                                                      std::to_string(positions.rows()) + " positions were given"};
+        }
+        if (auto status = check_finite(positions); !status) return status.error();
+        return PolygonMesh(connectivity_, std::move(positions));
+    });
 }
 
 }  // namespace polylap

@@ -50,14 +50,16 @@ Result<PolygonMesh> make_grid(Index nx, Index ny, double width, double height) {
 
 Result<PolygonMesh> make_saddle(Index n, double height) {
     if (!std::isfinite(height)) return Error{ErrorCode::bad_argument, "the height of a saddle must be finite"};
-    auto grid = make_grid(n, n);
-    if (!grid) return grid;
-    Points positions = grid->positions();
-    for (auto p : positions.rowwise()) {
-        p.head<2>().array() -= 0.5;
-        p.z() = 2 * height * (p.x() * p.x() - p.y() * p.y());
-    }
-    return grid->with_positions(std::move(positions));
+    return guard_memory([&]() -> Result<PolygonMesh> {
+        auto grid = make_grid(n, n);
+        if (!grid) return grid;
+        Points positions = grid->positions();
+        for (auto p : positions.rowwise()) {
+            p.head<2>().array() -= 0.5;
+            p.z() = 2 * height * (p.x() * p.x() - p.y() * p.y());
+        }
+        return grid->with_positions(std::move(positions));
+    });
 }
 
 Result<PolygonMesh> make_torus(Index nu, Index nv, double major, double minor) {

@@ -138,43 +138,45 @@ std::vector<MeshIssue> find_issues(const Topology& topology) {
 }
 
 Result<std::vector<std::vector<Index>>> boundary_loops(const Topology& topology) {
-    std::unordered_map<Index, Index> next;
-    std::vector<Index> starts;
-    for (std::size_t k = 0; k < topology.edges.size(); ++k) {
-        const Edge& e = topology.edges[k];
-        const auto element = static_cast<std::int64_t>(k);
-        if (!e.manifold()) {
-            return Error{ErrorCode::non_manifold_edge,
-                         "edge " + edge_text(e) + " has " + std::to_string(e.faces()) + " faces", element};
+    return guard_memory([&]() -> Result<std::vector<std::vector<Index>>> {
+        std::unordered_map<Index, Index> next;
+        std::vector<Index> starts;
+        for (std::size_t k = 0; k < topology.edges.size(); ++k) {
+            const Edge& e = topology.edges[k];
+            const auto element = static_cast<std::int64_t>(k);
+            if (!e.manifold()) {
+                return Error{ErrorCode::non_manifold_edge,
+                             "edge " + edge_text(e) + " has " + std::to_string(e.faces()) + " faces", element};
+            }
+            if (!e.oriented()) {
+                return Error{ErrorCode::non_manifold_edge,
+                             "the two faces at edge " + edge_text(e) + " have opposite orientation", element};
+            }
+            if (!e.boundary()) continue;
+            const auto [from, to] = e.forward == 1 ? std::pair(e.v0, e.v1) : std::pair(e.v1, e.v0);
+            if (!next.emplace(from, to).second) {
+                return Error{
+                    ErrorCode::non_manifold_edge,
+                    "the boundary passes vertex " + std::to_string(from) + " twice, first along edge " + edge_text(e),
+                    element};
+            }
+            starts.push_back(from);
         }
-        if (!e.oriented()) {
-            return Error{ErrorCode::non_manifold_edge,
-                         "the two faces at edge " + edge_text(e) + " have opposite orientation", element};
+        std::sort(starts.begin(), starts.end());
+        std::vector<std::vector<Index>> loops;
+        for (const Index start : starts) {
+            if (!next.contains(start)) continue;
+            std::vector<Index>& loop = loops.emplace_back();
+            // In an oriented mesh each boundary vertex has as many ways in as out, so the walk closes.
+            for (auto at = next.find(start); at != next.end(); at = next.find(loop.back())) {
+                if (loop.empty()) loop.push_back(start);
+                loop.push_back(at->second);
+                next.erase(at);
+            }
+            loop.pop_back();
         }
-        if (!e.boundary()) continue;
-        const auto [from, to] = e.forward == 1 ? std::pair(e.v0, e.v1) : std::pair(e.v1, e.v0);
-        if (!next.emplace(from, to).second) {
-            return Error{
-                ErrorCode::non_manifold_edge,
-                "the boundary passes vertex " + std::to_string(from) + " twice, first along edge " + edge_text(e),
-                element};
-        }
-        starts.push_back(from);
-    }
-    std::sort(starts.begin(), starts.end());
-    std::vector<std::vector<Index>> loops;
-    for (const Index start : starts) {
-        if (!next.contains(start)) continue;
-        std::vector<Index>& loop = loops.emplace_back();
-        // In an oriented mesh each boundary vertex has as many ways in as out, so the walk closes.
-        for (auto at = next.find(start); at != next.end(); at = next.find(loop.back())) {
-            if (loop.empty()) loop.push_back(start);
-            loop.push_back(at->second);
-            next.erase(at);
-        }
-        loop.pop_back();
-    }
-    return loops;
+        return loops;
+    });
 }
 
 }  // namespace polylap

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/square.hpp"
 #include "polylap/base/monitor.hpp"
 #include "polylap/face/vector_area.hpp"
 #include "polylap/mesh/polygon_mesh.hpp"
@@ -35,7 +36,7 @@ Result<SparseMatrix> assemble_faces(const PolygonMesh& mesh, Monitor monitor, Lo
             const auto face = mesh.face(f);
             const auto n = static_cast<Index>(face.size());
             gather_corners(mesh, f, corners);
-            buffer.assign(face.size() * face.size(), 0.0);
+            buffer.assign(square(face.size()), 0.0);
             LocalMatrix matrix(buffer.data(), n, n);
             if (Status status = local(Corners(corners), matrix); !status) {
                 return fail(f, status.error().code, status.error().message);

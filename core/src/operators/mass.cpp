@@ -10,7 +10,7 @@ Vector lumped_mass(const PolygonMesh& mesh) {
     std::vector<Vector3> corners;
     for (Index f = 0; f < mesh.face_count(); ++f) {
         gather_corners(mesh, f, corners);
-        const double share = vector_area(corners).norm() / static_cast<double>(corners.size());
+        const double share = vector_area(corners).stableNorm() / static_cast<double>(corners.size());
         for (const Index v : mesh.face(f)) {
             mass[v] += share;
         }

@@ -52,11 +52,11 @@ Result<double> parse_value(const Parameter& parameter, const std::string& text) 
 }
 
 Status check_range(const Parameter& parameter, double value) {
-    const bool whole = parameter.kind == Parameter::Kind::real || value == std::floor(value);
-    if (value >= parameter.min && value <= parameter.max && whole) return Done{};
-    return Error{ErrorCode::parameter_out_of_range, std::string(parameter.id) + " must lie between " +
-                                                        number_text(parameter.min) + " and " +
-                                                        number_text(parameter.max)};
+    const bool real = parameter.kind == Parameter::Kind::real;
+    if (value >= parameter.min && value <= parameter.max && (real || value == std::floor(value))) return Done{};
+    return Error{ErrorCode::parameter_out_of_range,
+                 std::string(parameter.id) + (real ? " must lie between " : " must be a whole number between ") +
+                     number_text(parameter.min) + " and " + number_text(parameter.max)};
 }
 
 }  // namespace
@@ -76,55 +76,63 @@ std::string_view claim_name(Claim claim) noexcept {
 }
 
 Result<const OperatorInfo*> find_operator(std::string_view id) {
-    std::string known;
-    for (const OperatorInfo* info : operators()) {
-        if (id == info->id) return info;
-        known += (known.empty() ? "" : ", ") + std::string(info->id);
-    }
-    return Error{ErrorCode::unknown_operator, "there is no operator " + quoted(id) + "; known are " + known};
+    return guard_memory([&]() -> Result<const OperatorInfo*> {
+        std::string known;
+        for (const OperatorInfo* info : operators()) {
+            if (id == info->id) return info;
+            known += (known.empty() ? "" : ", ") + std::string(info->id);
+        }
+        return Error{ErrorCode::unknown_operator, "there is no operator " + quoted(id) + "; known are " + known};
+    });
 }
 
 Result<OperatorSpec> make_spec(std::string_view id, std::span<const std::pair<std::string, std::string>> settings) {
-    const auto info = find_operator(id);
-    if (!info) return info.error();
-    const auto parameters = (*info)->parameters;
-    OperatorSpec spec{.id = std::string(id), .values = {}};
-    for (const Parameter& p : parameters) {
-        spec.values.push_back(p.initial);
-    }
-    for (const auto& [name, text] : settings) {
-        const auto at =
-            std::find_if(parameters.begin(), parameters.end(), [&n = name](const Parameter& p) { return n == p.id; });
-        if (at == parameters.end()) {
-            return Error{ErrorCode::bad_argument, "operator " + quoted(id) + " has no parameter " + quoted(name)};
+    return guard_memory([&]() -> Result<OperatorSpec> {
+        const auto info = find_operator(id);
+        if (!info) return info.error();
+        const auto parameters = (*info)->parameters;
+        OperatorSpec spec{.id = std::string(id), .values = {}};
+        for (const Parameter& p : parameters) {
+            spec.values.push_back(p.initial);
         }
-        const auto value = parse_value(*at, text);
-        if (!value) return value.error();
-        spec.values[static_cast<std::size_t>(at - parameters.begin())] = *value;
-    }
-    return complete_spec(std::move(spec));
+        for (const auto& [name, text] : settings) {
+            const auto at = std::find_if(parameters.begin(), parameters.end(),
+                                         [&n = name](const Parameter& p) { return n == p.id; });
+            if (at == parameters.end()) {
+                return Error{ErrorCode::bad_argument, "operator " + quoted(id) + " has no parameter " + quoted(name)};
+            }
+            const auto value = parse_value(*at, text);
+            if (!value) return value.error();
+            spec.values[static_cast<std::size_t>(at - parameters.begin())] = *value;
+        }
+        return complete_spec(std::move(spec));
+    });
 }
 
 Result<OperatorSpec> complete_spec(OperatorSpec spec) {
-    const auto info = find_operator(spec.id);
-    if (!info) return info.error();
-    const auto parameters = (*info)->parameters;
-    if (spec.values.size() > parameters.size()) {
-        return Error{ErrorCode::bad_argument, "operator " + quoted(spec.id) + " has " +
-                                                  std::to_string(parameters.size()) + " parameters, but " +
-                                                  std::to_string(spec.values.size()) + " values were given"};
-    }
-    for (std::size_t k = 0; k < parameters.size(); ++k) {
-        if (k == spec.values.size()) spec.values.push_back(parameters[k].initial);
-        if (auto status = check_range(parameters[k], spec.values[k]); !status) return status.error();
-    }
-    return spec;
+    return guard_memory([&]() -> Result<OperatorSpec> {
+        const auto info = find_operator(spec.id);
+        if (!info) return info.error();
+        const auto parameters = (*info)->parameters;
+        if (spec.values.size() > parameters.size()) {
+            return Error{ErrorCode::bad_argument, "operator " + quoted(spec.id) + " has " +
+                                                      std::to_string(parameters.size()) + " parameters, but " +
+                                                      std::to_string(spec.values.size()) + " values were given"};
+        }
+        for (std::size_t k = 0; k < parameters.size(); ++k) {
+            if (k == spec.values.size()) spec.values.push_back(parameters[k].initial);
+            if (auto status = check_range(parameters[k], spec.values[k]); !status) return status.error();
+        }
+        return spec;
+    });
 }
 
 Result<OperatorMatrices> build_operator(const PolygonMesh& mesh, const OperatorSpec& spec, Monitor monitor) {
-    const auto complete = complete_spec(spec);
-    if (!complete) return complete.error();
-    return (*find_operator(complete->id))->build(mesh, complete->values, complete->mass, monitor);
+    return guard_memory([&]() -> Result<OperatorMatrices> {
+        const auto complete = complete_spec(spec);
+        if (!complete) return complete.error();
+        return (*find_operator(complete->id))->build(mesh, complete->values, complete->mass, monitor);
+    });
 }
 
 }  // namespace polylap

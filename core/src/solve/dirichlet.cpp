@@ -48,6 +48,10 @@ Status reach_all(const SparseMatrix& s, std::vector<Role>& role) {
 Result<DirichletProblem> DirichletProblem::create(const SparseMatrix& stiffness, std::span<const Index> fixed) {
     return guard_memory([&]() -> Result<DirichletProblem> {
         const auto n = static_cast<Index>(stiffness.cols());
+        if (stiffness.rows() != stiffness.cols()) {
+            return Error{ErrorCode::bad_argument, "the stiffness has " + std::to_string(stiffness.rows()) +
+                                                      " rows and " + std::to_string(n) + " columns"};
+        }
         std::vector<Role> role(static_cast<std::size_t>(n), Role::free);
         std::vector<Index> local(static_cast<std::size_t>(n), -1);  // row among the free, or among the fixed
         for (std::size_t k = 0; k < fixed.size(); ++k) {
@@ -115,10 +119,14 @@ Result<Matrix> DirichletProblem::solve(const Eigen::Ref<const Matrix>& fixed_val
                      v};
     }
     return guard_memory([&]() -> Result<Matrix> {
-        const Matrix free_values = factor_.solve(-(coupling_ * fixed_values));
+        const auto free_values = factor_.solve(-(coupling_ * fixed_values));
+        if (!free_values) return free_values.error();
+        if (!free_values->allFinite()) {
+            return Error{ErrorCode::bad_argument, "the fixed values are too far apart for double precision"};
+        }
         Matrix u = Matrix::Constant(size_, fixed_values.cols(), std::numeric_limits<double>::quiet_NaN());
         for (std::size_t k = 0; k < free_.size(); ++k) {
-            u.row(free_[k]) = free_values.row(static_cast<Eigen::Index>(k));
+            u.row(free_[k]) = free_values->row(static_cast<Eigen::Index>(k));
         }
         for (std::size_t k = 0; k < fixed_.size(); ++k) {
             u.row(fixed_[k]) = fixed_values.row(static_cast<Eigen::Index>(k));

@@ -11,6 +11,7 @@ namespace polylap {
 struct SpdFactor::Impl {
     Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::AMDOrdering<Index>> ldlt;
     Index size = 0;
+    bool factored = false;
     std::vector<Index> outer, inner;  ///< The analysed pattern.
 
     bool same_pattern(const SparseMatrix& a) const {
@@ -27,12 +28,14 @@ SpdFactor::~SpdFactor() = default;
 
 Status SpdFactor::analyse(const SparseMatrix& a) {
     if (a.rows() != a.cols()) {
+        impl_->factored = false;
         return Error{ErrorCode::bad_argument, "a matrix of " + std::to_string(a.rows()) + "×" +
                                                   std::to_string(a.cols()) + " has no Cholesky factor"};
     }
     if (!a.isCompressed()) return Error{ErrorCode::bad_argument, "the matrix must be compressed"};
     return guard_memory([&]() -> Status {
         impl_->size = 0;  // nothing is analysed until all of it is
+        impl_->factored = false;
         impl_->inner.clear();
         if (a.rows() > 0) impl_->ldlt.analyzePattern(a);
         impl_->outer.assign(a.outerIndexPtr(), a.outerIndexPtr() + a.outerSize() + 1);
@@ -46,7 +49,8 @@ Status SpdFactor::factor(const SparseMatrix& a) {
     if (!a.isCompressed() || impl_->outer.empty() || !impl_->same_pattern(a)) {
         if (Status status = analyse(a); !status) return status;
     }
-    if (impl_->size == 0) return Done{};
+    impl_->factored = impl_->size == 0;
+    if (impl_->factored) return Done{};
     return guard_memory([&]() -> Status {
         impl_->ldlt.factorize(a);
         const Vector pivots = impl_->ldlt.vectorD();
@@ -57,13 +61,22 @@ Status SpdFactor::factor(const SparseMatrix& a) {
             return Error{ErrorCode::not_positive_definite,
                          "the matrix is not positive definite (pivot of row " + std::to_string(row) + ")", row};
         }
+        impl_->factored = true;
         return Done{};
     });
 }
 
-Matrix SpdFactor::solve(const Eigen::Ref<const Matrix>& rhs) const {
-    if (impl_->size == 0) return Matrix(0, rhs.cols());
-    return impl_->ldlt.solve(rhs);
+Result<Matrix> SpdFactor::solve(const Eigen::Ref<const Matrix>& rhs) const {
+    return guard_memory([&]() -> Result<Matrix> {
+        if (!impl_->factored) return Error{ErrorCode::bad_argument, "no matrix has been factored"};
+        if (rhs.rows() != impl_->size) {
+            return Error{ErrorCode::bad_argument, "the factor has " + std::to_string(impl_->size) +
+                                                      " rows, but the right-hand side has " +
+                                                      std::to_string(rhs.rows())};
+        }
+        if (impl_->size == 0) return Matrix(0, rhs.cols());
+        return Matrix(impl_->ldlt.solve(rhs));
+    });
 }
 
 Index SpdFactor::size() const noexcept {

@@ -11,4 +11,17 @@ struct Monitor {
     bool proceed(double fraction) const { return tick == nullptr || tick(user, fraction); }
 };
 
+/// The stretch [from, to] of a call's progress as a monitor of its own, for a part of the work.
+struct Stretch {
+    Monitor whole;
+    double from = 0;
+    double to = 1;
+
+    Monitor monitor() { return {tick, this}; }
+    static bool tick(void* user, double fraction) {
+        const auto& stretch = *static_cast<const Stretch*>(user);
+        return stretch.whole.proceed(stretch.from + fraction * (stretch.to - stretch.from));
+    }
+};
+
 }  // namespace polylap

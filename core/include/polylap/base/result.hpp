@@ -39,7 +39,8 @@ struct Error {
     std::int64_t line = -1;     ///< Line of the file, counted from 1; -1: not from a file.
 };
 
-/// A value or an Error. Nothing throws across polylap's public headers.
+/// A value or an Error. Nothing throws across polylap's public headers, but for std::bad_alloc out of functions that
+/// return no Result.
 template <class T>
 class [[nodiscard]] Result {
 public:
@@ -76,15 +77,16 @@ private:
 struct Done {};
 using Status = Result<Done>;
 
-/// Runs `work` (which returns a Result) and turns an exhausted memory into `out_of_memory`.
+/// Runs `work` (which returns a Result) and turns an exhausted memory into `out_of_memory`, whose message is short
+/// enough to need none.
 template <class Work>
 auto guard_memory(Work&& work) -> decltype(work()) {
     try {
         return std::forward<Work>(work)();
     } catch (const std::bad_alloc&) {
-        return Error{ErrorCode::out_of_memory, "not enough memory for this mesh", -1, -1};
+        return Error{ErrorCode::out_of_memory, "out of memory", -1, -1};
     } catch (const std::length_error&) {  // what std::vector throws past its largest size, first on 32-bit targets
-        return Error{ErrorCode::out_of_memory, "not enough memory for this mesh", -1, -1};
+        return Error{ErrorCode::out_of_memory, "out of memory", -1, -1};
     }
 }
 

@@ -14,7 +14,7 @@ enum class TriangulationRule : std::uint8_t {
     delaunay,       ///< Constrained Delaunay: least Dirichlet energy (Rippa 1990), inner diagonals get weights ≥ 0.
     min_max_angle,  ///< Smallest largest angle; ties by the next largest, and so on.
     shortest_diagonal,  ///< The shortest inside diagonal first, then the shortest that does not cross it, and so on.
-    fan,                ///< All diagonals from the first corner that sees the whole polygon.
+    fan,                ///< All diagonals from the first corner from which all triangles lie inside and have area.
 };
 
 using Triangle = std::array<Index, 3>;
@@ -23,8 +23,9 @@ using Triangle = std::array<Index, 3>;
 /// @param polygon n ≥ 3 points, counter-clockwise; concave corners and straight ones (180°) are fine
 /// @param out     overwritten with n-2 triangles of local corner numbers, each counter-clockwise
 /// @error degenerate_face (without element) when the polygon crosses or touches itself or has no area, or when the rule
-/// is `fan` and no corner
-///        sees the whole polygon. Cost O(n²) for delaunay on convex polygons, O(n³) at worst
+///        is `fan` and no corner has one; out_of_memory
+/// Cost O(n²) for delaunay and fan on convex polygons, O(n³) otherwise; min_max_angle resolves ties exactly up to 64
+/// corners, in O(n⁴) at worst.
 Status triangulate_polygon(std::span<const Eigen::Vector2d> polygon, TriangulationRule rule,
                            std::vector<Triangle>& out);
 

@@ -6,11 +6,11 @@ namespace polylap {
 
 /// nx × ny quads on the rectangle [0, width] × [0, height] of the plane z = 0; vertex (i, j) is j (nx + 1) + i.
 /// @param nx,ny at least 1   @param width,height positive, length
-/// @error bad_argument
+/// @error bad_argument, bad_mesh (a coordinate overflows), out_of_memory
 Result<PolygonMesh> make_grid(Index nx, Index ny, double width = 1, double height = 1);
 
 /// The n × n grid on [-½, ½]² lifted to z = height · (x² - y²) · 2, so that |z| ≤ height / 2.
-/// @error bad_argument
+/// @error bad_argument, bad_mesh (a coordinate overflows), out_of_memory
 Result<PolygonMesh> make_saddle(Index n, double height = 1);
 
 /// A torus around the z axis, nu quads the long way and nv the short way; closed, vertex (i, j) is i · nv + j.

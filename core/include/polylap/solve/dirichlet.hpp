@@ -12,14 +12,15 @@ class DirichletProblem {
 public:
     /// @param stiffness V×V symmetric positive semi-definite
     /// @param fixed     distinct vertices
-    /// @error bad_argument (a fixed vertex out of range or twice), unconstrained_component (element = its lowest
-    /// vertex): a connected part of the
+    /// @error bad_argument (S not square, a fixed vertex out of range or twice), unconstrained_component (element = its
+    /// lowest vertex): a connected part of the
     ///        matrix graph has no fixed vertex, not_positive_definite (element = vertex), out_of_memory
     static Result<DirichletProblem> create(const SparseMatrix& stiffness, std::span<const Index> fixed);
 
     /// @param fixed_values B×k, in the order of `fixed`, finite
     /// @return V×k. A vertex without an equation (empty row: in no face) that is not fixed gets NaN.
-    /// @error bad_argument
+    /// @error bad_argument (another number of rows, a value not finite, values too far apart for the solution to be
+    ///        finite), out_of_memory
     Result<Matrix> solve(const Eigen::Ref<const Matrix>& fixed_values) const;
 
 private:

@@ -30,8 +30,9 @@ public:
     /// @error not_positive_definite (element = row of the pivot), out_of_memory
     Status factor(const SparseMatrix& a);
 
-    /// @param rhs n×k   @return n×k. Requires factor().
-    Matrix solve(const Eigen::Ref<const Matrix>& rhs) const;
+    /// @param rhs n×k   @return n×k
+    /// @error bad_argument (nothing is factored, another number of rows), out_of_memory
+    Result<Matrix> solve(const Eigen::Ref<const Matrix>& rhs) const;
 
     Index size() const noexcept;
 
