@@ -2,6 +2,7 @@
 #include "commands.hpp"
 #include "open_session.hpp"
 #include "polylap/mesh/mesh_io.hpp"
+#include "tables.hpp"
 
 namespace polylap::tool {
 namespace {

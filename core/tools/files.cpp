@@ -20,6 +20,20 @@ Error failure(const std::string& what, const std::string& path, int code) {
             what + " " + path + (code != 0 ? ": " + std::generic_category().message(code) : ""), -1, -1};
 }
 
+/// The file that writing to `path` creates or replaces: absolute, with every link followed.
+fs::path target_of(const std::string& path, std::error_code& error) {
+    fs::path target = fs::absolute(path, error);
+    if (!error) target = fs::weakly_canonical(target, error);
+    // A link to what does not exist yet is left over; the limit is that of Linux.
+    std::error_code missing;
+    for (int links = 0; !error && fs::is_symlink(fs::symlink_status(target, missing)); ++links) {
+        if (links == 40) error = std::make_error_code(std::errc::too_many_symbolic_link_levels);
+        const fs::path next = error ? fs::path() : fs::read_symlink(target, error);
+        if (!error) target = fs::weakly_canonical(target.parent_path() / next, error);
+    }
+    return target;
+}
+
 /// A name beside `target` that nobody else uses.
 fs::path temporary_beside(const fs::path& target) {
     std::random_device random;
@@ -54,7 +68,7 @@ public:
         const auto status = fs::status(output_.path, error);
         if (fs::is_directory(status)) return failure("cannot write", output_.path, EISDIR);
         if (fs::exists(status) && !fs::is_regular_file(status)) return Done{};
-        target_ = fs::weakly_canonical(output_.path, error);  // so that a link stays a link
+        target_ = target_of(output_.path, error);
         if (error) return failure("cannot write", output_.path, error.value());
         temporary_ = temporary_beside(target_);
         errno = 0;
@@ -121,6 +135,13 @@ Status write_outputs(std::span<const Output> outputs) {
     for (const auto& output : pending)
         if (auto status = output->commit(); !status) return status;
     return Done{};
+}
+
+bool same_output(const std::string& a, const std::string& b) {
+    if (a == "-" || b == "-") return a == b;
+    std::error_code a_error, b_error, missing;
+    const fs::path a_target = target_of(a, a_error), b_target = target_of(b, b_error);
+    return !a_error && !b_error && (a_target == b_target || fs::equivalent(a_target, b_target, missing));
 }
 
 }  // namespace polylap::tool

@@ -1,13 +1,9 @@
 #pragma once
 
-#include <cstddef>
 #include <span>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "polylap/base/result.hpp"
-#include "polylap/base/types.hpp"
 
 namespace polylap::tool {
 
@@ -20,28 +16,11 @@ struct Output {
     std::string text;
 };
 
-/// Writes all outputs or none: beside each file first, then renames. What is no regular file (a pipe, a device) is
-/// written directly.
+/// Writes all outputs or none: beside each file first, then renames. A link stays a link: the file it names is written.
+/// What is no regular file (a pipe, a device) is written directly.
 Status write_outputs(std::span<const Output> outputs);
 
-/// 17 significant digits in any locale: reading them back gives the same double.
-void append_number(std::string& text, double value);
-
-/// A matrix in MatrixMarket's `coordinate real` form, whose indices count from 1.
-/// @param symmetric write the lower triangle as `symmetric`; otherwise everything as `general`
-std::string matrix_market(const SparseMatrix& matrix, bool symmetric, std::string_view comment);
-
-struct FixedValues {
-    std::vector<Index> vertices;
-    std::vector<double> values;
-};
-
-/// Rows `vertex,value`; a header, blank lines and `#` comments are read past.
-/// @error parse_error (line; element = vertex): a row that is none, a vertex out of range or twice, a value that is no
-/// finite number, no rows
-Result<FixedValues> parse_fixed_values(std::string_view text, Index vertex_count);
-
-/// `vertex,value` rows for all vertices.
-std::string values_csv(const Vector& values);
+/// Whether two outputs would overwrite each other, however their paths are spelled and whether the file exists or not.
+bool same_output(const std::string& a, const std::string& b);
 
 }  // namespace polylap::tool

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "commands.hpp"
+#include "tables.hpp"
 
 namespace {
 
@@ -42,15 +43,27 @@ void split_settings(Arguments& arguments) {
     }
 }
 
-/// CLI11's own check prints the range of all doubles.
-CLI::Validator positive() {
-    return {[](const std::string& text) {
-                double value = 0;
-                return CLI::detail::lexical_cast(text, value) && value > 0 && std::isfinite(value)
-                           ? std::string()
-                           : "must be a positive number, not '" + text + "'";
-            },
-            "POSITIVE", "positive"};
+/// CLI11's own conversion takes hexadecimal and octal digits and spaces in front.
+/// @param take keeps the number, unless it is none of those that `must_be` describes
+CLI::Option* add_number(CLI::App& command, const std::string& name, const std::string& what, const std::string& must_be,
+                        const std::function<bool(double)>& take) {
+    const auto read = [=](const std::string& text) {
+        const auto value = tool::parse_number(text);
+        if (!value || !take(*value)) throw CLI::ValidationError(name, "must be " + must_be + ", not '" + text + "'");
+    };
+    return command.add_option_function<std::string>(name, read, what);
+}
+
+CLI::Option* add_time(CLI::App& command, const std::string& name, const std::string& what,
+                      std::optional<double>& time) {
+    return add_number(command, name, what, "a positive number", [&time](double value) {
+        time = value;
+        return value > 0;
+    });
+}
+
+CLI::Validator file_name() {
+    return {[](const std::string& text) { return text.empty() ? "needs the name of a file" : ""; }, ""};
 }
 
 void add_mesh(CLI::App& command, Arguments& arguments) {
@@ -69,6 +82,7 @@ void add_operator(CLI::App& command, Arguments& arguments) {
 void add_output(CLI::App& command, Arguments& arguments, const char* what) {
     command.add_option("-o,--output", arguments.out, std::string(what) + "; - writes to standard output")
         ->required()
+        ->check(file_name())
         ->type_name("FILE");
 }
 
@@ -93,9 +107,11 @@ void declare(CLI::App& app, Arguments& a, Command& chosen) {
     add_operator(*matrix, a);
     add_output(*matrix, a, "Stiffness, unitless");
     matrix->add_option("--mass-out", a.mass_out, "Mass, length squared; - writes to standard output")
+        ->check(file_name())
         ->type_name("FILE");
     matrix->callback([&] {
-        if (a.out == a.mass_out) throw CLI::ValidationError("--mass-out", "must differ from --output");
+        if (!a.mass_out.empty() && tool::same_output(a.out, a.mass_out))
+            throw CLI::ValidationError("--mass-out", "must be another file than --output");
         chosen = [&] { return tool::matrix(a.mesh, a.choice, a.out, a.mass_out); };
     });
 
@@ -103,14 +119,17 @@ void declare(CLI::App& app, Arguments& a, Command& chosen) {
     add_mesh(*smooth, a);
     add_operator(*smooth, a);
     auto* const times = smooth->add_option_group("time", "How far a step goes");
-    times->add_option("--time", a.smooth.time, "t, in length squared")->check(positive())->type_name("T");
-    times->add_option("--time-h2", a.smooth.time_h2, "t in units of the mean squared edge length")
-        ->check(positive())
-        ->type_name("X");
+    add_time(*times, "--time", "t, in length squared", a.smooth.time)->type_name("T");
+    add_time(*times, "--time-h2", "t in units of the mean squared edge length", a.smooth.time_h2)->type_name("X");
     times->require_option(1);
-    smooth->add_option("--steps", a.smooth.steps, "Number of steps")
-        ->check(CLI::Range(1, 1'000'000))
-        ->capture_default_str()
+    constexpr int most_steps = 1'000'000;
+    add_number(*smooth, "--steps", "Number of steps", "a whole number from 1 to " + std::to_string(most_steps),
+               [&](double value) {
+                   if (!(value >= 1 && value <= most_steps && value == std::floor(value))) return false;
+                   a.smooth.steps = static_cast<int>(value);
+                   return true;
+               })
+        ->default_str(std::to_string(a.smooth.steps))
         ->type_name("N");
     smooth->add_flag("--keep-operator", a.smooth.keep_operator,
                      "Keep S and M of the loaded mesh instead of rebuilding them before each step");
@@ -128,6 +147,18 @@ void declare(CLI::App& app, Arguments& a, Command& chosen) {
     harmonic->callback([&] { chosen = [&] { return tool::harmonic(a.mesh, a.choice, a.fixed, a.out); }; });
 }
 
+/// CLI11 says neither which word it took for a command nor which there are.
+std::string no_command(const CLI::App& app) {
+    const auto words = app.remaining();
+    std::string text = words.empty() ? "expected a command" : "there is no command '" + words.front() + "'";
+    const char* separator = "; the commands are ";
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        text += separator + command->get_name();
+        separator = ", ";
+    }
+    return text;
+}
+
 int run(int argc, char** argv) {
     Arguments arguments;
     Command command;
@@ -141,7 +172,8 @@ int run(int argc, char** argv) {
             app.exit(error);
             return std::cout.flush() ? 0 : complain("cannot write standard output", failed);
         }
-        return complain(std::string(error.what()) + " (see polylap --help)", wrong_usage);
+        const std::string what = app.get_subcommands().empty() ? no_command(app) : error.what();
+        return complain(what + " (see polylap --help)", wrong_usage);
     }
     const auto outputs = command();
     if (!outputs) return complain(outputs.error().message, failed);

@@ -33,6 +33,20 @@ inline const std::string torus = meshes + "quad-torus-32x16-noisy.obj";
 /// Corners of the 2×2 grid at 0, edge midpoints of its boundary at 1.
 inline const std::string rim = "0,0\n2,0\n6,0\n8,0\n1,1\n3,1\n5,1\n7,1\n";
 
+inline std::vector<double> read_values(const std::string& text) {
+    std::istringstream lines(text);
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_EQ(line, "vertex,value");
+    std::vector<double> values;
+    while (std::getline(lines, line)) {
+        const auto comma = line.find(',');
+        EXPECT_EQ(line.substr(0, comma), std::to_string(values.size()));
+        values.push_back(std::strtod(line.c_str() + comma + 1, nullptr));  // stod() throws at denormal numbers
+    }
+    return values;
+}
+
 class CommandLine : public testing::Test {
 protected:
     struct Ended {
