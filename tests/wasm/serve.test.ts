@@ -84,3 +84,17 @@ it('says that it failed when the core traps, and restores nothing in it', async 
   await vi.waitUntil(() => said.length > 1);
   expect(said[1]?.message).toEqual({ kind: 'failed', message: 'the core stopped: unreachable' });
 });
+
+it('answers a failure that is no trap, even one of another kind, and goes on', async () => {
+  const polylap = await load();
+  const { said, ask } = await start(async () => polylap);
+  await ask(open);
+  const make = vi.spyOn(polylap, 'make').mockImplementation(() => {
+    throw new TypeError('a slip');
+  });
+  const { message } = await ask(open);
+  expect(message).toMatchObject({ kind: 'error', error: { code: 'internal', message: 'a slip' } });
+  make.mockRestore();
+  expect((await ask({ call: 'shape', takes: side })).message.kind).toBe('done');
+  expect(said.some(({ message }) => message.kind === 'failed')).toBe(false);
+});

@@ -4,6 +4,7 @@
  * The queue lives here and one request is under way at a time, so that a request which has not started can be dropped, and a new worker can go on
  * where the old one ended: from the meshes' bytes and the surfaces that smoothing left.
  */
+import { fields, messageOf, ownBytes, ownCopy, runOf, text } from './check.js';
 import { PolylapError } from './error.js';
 import type { CallName, FromWorker, Gives, Request, Saved, Source, Takes, ToWorker } from './protocol.js';
 import type {
@@ -61,10 +62,12 @@ interface Job {
   run: SmoothRunOptions;
   /** A request of the client's own, to bring a worker into the state that the client remembers. */
   internal: boolean;
-  cancelled: boolean;
-  /** Takes the value in, once and only if nobody has cancelled. */
+  /** Set when it was cancelled, or when a callback threw: with what to reject it. */
+  stopped?: { error: unknown };
+  /** Takes the value in before the caller sees it; nobody can cancel any more. */
+  commit: (value: never) => void;
   resolve: (value: never) => void;
-  reject: (error: PolylapError) => void;
+  reject: (error: unknown) => void;
   /** Makes the worker forget what a request did that was cancelled too late. */
   undo?: () => void;
 }
@@ -100,11 +103,13 @@ class WorkerClient implements Client {
   }
 
   async open(bytes: Uint8Array | ArrayBuffer | Blob | string, name: string, run: RunOptions = {}): Promise<Mesh> {
-    return this.#open({ bytes: await ownBytes(bytes), name }, name, run);
+    const [file, mine] = [text(name, 'the name of a mesh'), runOf(run)];
+    return this.#open({ bytes: await ownBytes(bytes), name: file }, file, mine);
   }
 
-  make(spec: ShapeSpec): Promise<Mesh> {
-    return this.#open({ spec: { ...spec } }, spec.shape, {});
+  async make(shape: ShapeSpec): Promise<Mesh> {
+    const spec = ownCopy(fields(shape, 'a shape'));
+    return this.#open({ spec }, spec.shape, {});
   }
 
   close(): void {
@@ -123,65 +128,73 @@ class WorkerClient implements Client {
   }
 
   #mesh(state: MeshState, name: string, info: MeshInfo, geometry: Geometry): Mesh {
-    const on = ({ side = 'a' }: RunOptions = {}) => ({ mesh: state.id, side });
+    const on = (run: RunOptions = {}) => {
+      const { side = 'a' } = runOf(run);
+      return { mesh: state.id, side };
+    };
+    // All are async for what they throw to become a rejection.
     return {
       ...info,
       name,
       geometry,
-      weights: (spec, run) => this.#call('weights', { ...on(run), spec }, state, { run }),
-      shape: (run) => this.#call('shape', on(run), state, { run }),
-      smooth: (spec, options, run) => {
+      weights: async (spec, run) => this.#call('weights', { ...on(run), spec }, state, { run }),
+      shape: async (run) => this.#call('shape', on(run), state, { run }),
+      smooth: async (spec, options, given = {}) => {
+        const run = runOf(given);
         const { mesh, side } = on(run);
-        const commit = ({ coordinates, step }: Smoothed) =>
-          state.sides.set(side, { coordinates: coordinates.slice(), step });
+        const commit = (smoothed: Smoothed) => {
+          const { coordinates, step } = smoothed;
+          const saved = { coordinates: coordinates.slice(), step };
+          // The worker tells of all steps but the last, which is the value. If its callback throws, the step has not been.
+          run.onStep?.(smoothed);
+          state.sides.set(side, saved);
+        };
         const undo = () => this.#putFirst(state, backTo(state, side));
-        const showSteps = run?.onStep !== undefined;
-        const smoothed = this.#call('smooth', { mesh, side, spec, options, showSteps }, state, { run, commit, undo });
-        // The worker tells of all steps but the last, which is the value.
-        return smoothed.then((value) => {
-          run?.onStep?.(value);
-          return value;
-        });
+        const showSteps = typeof run.onStep === 'function';
+        return this.#call('smooth', { mesh, side, spec, options, showSteps }, state, { run, commit, undo });
       },
-      harmonic: (spec, fixed, run) => this.#call('harmonic', { ...on(run), spec, fixed }, state, { run }),
-      matrices: (spec, run) => this.#call('matrices', { ...on(run), spec }, state, { run }),
-      obj: (run) => this.#call('obj', on(run), state, { run }),
-      reset: (side) => {
+      harmonic: async (spec, fixed, run) => this.#call('harmonic', { ...on(run), spec, fixed }, state, { run }),
+      matrices: async (spec, run) => this.#call('matrices', { ...on(run), spec }, state, { run }),
+      obj: async (run) => this.#call('obj', on(run), state, { run }),
+      reset: async (side) => {
         const commit = () => (side === undefined ? state.sides.clear() : state.sides.delete(side));
         return this.#call('reset', { mesh: state.id, side }, state, { commit });
       },
-      close: () => this.#call('close', { mesh: state.id }, state, { commit: () => this.#meshes.delete(state.id) }),
+      close: async () =>
+        this.#call('close', { mesh: state.id }, state, { commit: () => this.#meshes.delete(state.id) }),
     };
   }
 
   // ---- The queue ----
 
   /** @param hooks commit: takes the value into the client's memory before the caller sees it */
-  #call<K extends CallName>(
+  async #call<K extends CallName>(
     call: K,
     takes: Takes<K>,
     state: MeshState,
     hooks: { run?: SmoothRunOptions | undefined; commit?: (value: Gives<K>) => unknown; undo?: () => void } = {},
   ): Promise<Gives<K>> {
-    const { run = {}, commit, undo } = hooks;
+    const { commit, undo } = hooks;
+    const run = runOf(hooks.run ?? {});
+    // The caller may change the arguments while the request waits. A source is the client's own already, and may be large.
+    const request = { call, takes: 'source' in takes ? takes : ownCopy(takes) } as Request;
     return new Promise((resolve, reject) => {
       if (this.#ended) return reject(this.#ended());
       if (run.signal?.aborted) return reject(cancelled());
-      const onAbort = () => this.#cancel(job);
+      const onAbort = () => this.#cancel(job, cancelled());
       run.signal?.addEventListener('abort', onAbort, { once: true });
       const forget = () => run.signal?.removeEventListener('abort', onAbort);
       const job: Job = {
         id: this.#nextId++,
-        request: { call, takes } as Request,
+        request,
         state,
         run,
         internal: false,
-        cancelled: false,
-        resolve: (value: Gives<K>) => {
+        commit: (value: Gives<K>) => {
           forget();
           commit?.(value);
-          resolve(value);
         },
+        resolve,
         reject: (error) => {
           forget();
           reject(error);
@@ -196,17 +209,18 @@ class WorkerClient implements Client {
   /** Puts a request of the client's own at the head of the queue. A mesh that it fails on is lost. */
   #putFirst(state: MeshState, ...requests: Request[]): void {
     const jobs = requests.map((request): Job => {
-      const reject = (error: PolylapError) => {
-        state.lost ??= error;
+      const reject = (error: unknown) => {
+        state.lost ??= error as PolylapError;
       };
+      const nothing = () => {};
       return {
         id: this.#nextId++,
         request,
         state,
         run: {},
         internal: true,
-        cancelled: false,
-        resolve: () => {},
+        commit: nothing,
+        resolve: nothing,
         reject,
       };
     });
@@ -227,7 +241,8 @@ class WorkerClient implements Client {
         this.#send({ kind: 'request', id: job.id, request: job.request });
       } catch (error) {
         this.#current = undefined;
-        job.reject(new PolylapError('bad-argument', `the arguments cannot be sent to the worker: ${messageOf(error)}`));
+        // They could be copied once; what is missing is room for another copy.
+        job.reject(new PolylapError('out-of-memory', `the arguments cannot be sent: ${messageOf(error)}`));
       }
     }
   }
@@ -236,13 +251,14 @@ class WorkerClient implements Client {
     this.#worker?.postMessage(message);
   }
 
-  #cancel(job: Job): void {
+  #cancel(job: Job, error: unknown): void {
     if (job !== this.#current) {
       this.#queue = this.#queue.filter((other) => other !== job);
-      job.reject(cancelled());
+      job.reject(error);
       return;
     }
-    job.cancelled = true;
+    if (job.stopped) return;
+    job.stopped = { error };
     this.#send({ kind: 'cancel', id: job.id });
     this.#grace = setTimeout(() => this.#restart('cancelled', cancelled()), cancelGrace);
   }
@@ -256,10 +272,10 @@ class WorkerClient implements Client {
         this.#onDeath(message.message);
         break;
       case 'progress':
-        this.#running(message.id)?.onProgress?.(message.fraction);
+        this.#tell(message.id, (run) => run.onProgress?.(message.fraction));
         break;
       case 'step':
-        this.#running(message.id)?.onStep?.(message.smoothed);
+        this.#tell(message.id, (run) => run.onStep?.(message.smoothed));
         break;
       default:
         this.#settle(message);
@@ -267,20 +283,35 @@ class WorkerClient implements Client {
     }
   }
 
-  /** Whom to tell how a request gets on. */
-  #running(id: number): SmoothRunOptions | undefined {
-    return this.#current?.id === id && !this.#current.cancelled ? this.#current.run : undefined;
+  /** Tells the caller how the request gets on; it ends with what the callback throws. */
+  #tell(id: number, callback: (run: SmoothRunOptions) => void): void {
+    const job = this.#current;
+    if (job?.id !== id || job.stopped) return;
+    try {
+      callback(job.run);
+    } catch (error) {
+      if (job === this.#current) this.#cancel(job, error);
+    }
   }
 
   #settle(reply: Extract<FromWorker, { kind: 'done' | 'error' }>): void {
     const job = this.#current;
     if (job?.id !== reply.id) return;
+    if (!job.internal) this.#failures = 0;
+    if (reply.kind === 'done' && !job.stopped) {
+      // The job stays the current one meanwhile: nothing may be sent before it is known whether it must be undone.
+      try {
+        job.commit(reply.value as never);
+      } catch (error) {
+        job.stopped = { error };
+      }
+      if (job !== this.#current) return;
+    }
     this.#current = undefined;
     clearTimeout(this.#grace);
-    if (!job.internal) this.#failures = 0;
-    if (job.cancelled) {
+    if (job.stopped) {
       if (reply.kind === 'done') job.undo?.();
-      job.reject(cancelled());
+      job.reject(job.stopped.error);
     } else if (reply.kind === 'done') {
       job.resolve(reply.value as never);
     } else {
@@ -345,7 +376,7 @@ class WorkerClient implements Client {
     this.#current = undefined;
     this.#queue = this.#queue.filter(({ internal }) => !internal);
     this.#start();
-    if (job && !job.internal) job.reject(job.cancelled ? cancelled() : error);
+    if (job && !job.internal) job.reject(job.stopped ? job.stopped.error : error);
   }
 
   #end(error: () => PolylapError): void {
@@ -373,12 +404,3 @@ function backTo({ id, sides }: MeshState, side: Side): Request {
   const saved = sides.get(side);
   return saved ? { call: 'restore', takes: { mesh: id, side, saved } } : { call: 'reset', takes: { mesh: id, side } };
 }
-
-/** Bytes that the caller can no longer change: what a restarted worker reads must be what was opened. */
-async function ownBytes(bytes: Uint8Array | ArrayBuffer | Blob | string): Promise<Uint8Array> {
-  if (typeof bytes === 'string') return new TextEncoder().encode(bytes);
-  if (bytes instanceof Uint8Array) return bytes.slice();
-  return new Uint8Array(bytes instanceof ArrayBuffer ? bytes.slice(0) : await bytes.arrayBuffer());
-}
-
-const messageOf = (error: unknown) => (error instanceof Error ? error.message : String(error));

@@ -14,3 +14,10 @@ export class PolylapError extends Error {
     super(message);
   }
 }
+
+/** The core trapped: its memory is in no known state, and only a new instance will do. */
+export class CoreStopped extends PolylapError {
+  constructor(why: string) {
+    super('internal', `the core stopped: ${why}`);
+  }
+}

@@ -1,8 +1,9 @@
 /** The worker's side of protocol.ts, on any port. */
-import { PolylapError } from './error.js';
+import { fields, messageOf, wholeNumber } from './check.js';
+import { CoreStopped, PolylapError } from './error.js';
 import type { OperatorSpec } from './generated.js';
 import type { CallName, FromWorker, Gives, Request, Takes, ToWorker } from './protocol.js';
-import { type Polylap, type Session, wholeNumber } from './session.js';
+import type { Polylap, Session } from './session.js';
 import type { Smoothed } from './types.js';
 
 export interface Port {
@@ -24,7 +25,7 @@ export function serve(port: Port, load: () => Promise<Polylap>): void {
 }
 
 function fail(port: Port, error: unknown): void {
-  port.postMessage({ kind: 'failed', message: error instanceof Error ? error.message : String(error) }, []);
+  port.postMessage({ kind: 'failed', message: messageOf(error) }, []);
 }
 
 class Server {
@@ -61,12 +62,12 @@ class Server {
       this.#port.postMessage({ kind: 'done', id, value }, buffersOf(value));
       this.#warmUpWhenIdle();
     } catch (error) {
-      // After a trap the module's memory is in no known state, so only a new worker will do.
-      if (!(error instanceof PolylapError) || error.code === 'internal') {
+      if (error instanceof CoreStopped) {
         fail(this.#port, error);
         return;
       }
-      const { code, message, element, line } = error;
+      const known = error instanceof PolylapError ? error : new PolylapError('internal', messageOf(error));
+      const { code, message, element, line } = known;
       this.#port.postMessage({ kind: 'error', id, error: { code, message, element, line } }, []);
       this.#warmUpWhenIdle();
     }
@@ -128,7 +129,7 @@ class Server {
 
   /** One step a call, so that a cancellation gets in between; all steps or none. */
   async #smooth(id: number, session: Session, { side, spec, options, showSteps }: Takes<'smooth'>): Promise<Smoothed> {
-    const steps = wholeNumber(options.steps ?? 1, 'steps', 1);
+    const steps = wholeNumber(fields(options, 'smoothing options').steps ?? 1, 'steps', 1);
     const before = session.surface({ side });
     try {
       for (let k = 0; ; ++k) {
@@ -141,7 +142,7 @@ class Server {
         if (this.#cancelled === id) throw new PolylapError('cancelled', 'smoothing was cancelled');
       }
     } catch (error) {
-      if (error instanceof PolylapError && error.code !== 'internal') session.restore(before, { side });
+      if (!(error instanceof CoreStopped)) session.restore(before, { side });
       throw error;
     }
   }
@@ -154,8 +155,13 @@ class Server {
   }
 
   #warmUpWhenIdle(): void {
-    if (this.#cold.length > 0)
-      this.#idle = setTimeout(() => this.#warmUp().catch((error) => fail(this.#port, error)), idleBeforeWarmUp);
+    if (this.#cold.length === 0) return;
+    const warmUp = () =>
+      this.#warmUp().catch((error) => {
+        // Anything less than a trap will be told to whoever asks for the same.
+        if (error instanceof CoreStopped) fail(this.#port, error);
+      });
+    this.#idle = setTimeout(warmUp, idleBeforeWarmUp);
   }
 
   /** The first long call of a function runs unoptimised, several times slower; better now than under someone's cursor. */

@@ -1,5 +1,19 @@
 /** The typed, synchronous API over the raw module: for Node and for the worker. Arrays it returns belong to the caller. */
-import { PolylapError } from './error.js';
+import {
+  badArgument,
+  bytesOf,
+  fields,
+  messageOf,
+  numbers,
+  oneOf,
+  operatorSpec,
+  optionalFunction,
+  realNumber,
+  text,
+  wholeNumber,
+  yesOrNo,
+} from './check.js';
+import { CoreStopped, PolylapError } from './error.js';
 import type { ErrorCode, OperatorSpec } from './generated.js';
 import type { RawModule, RawSession, RawSide, Reply, Tick } from './raw.js';
 import type {
@@ -24,21 +38,11 @@ export interface SyncOptions {
   onProgress?: (fraction: number) => boolean | undefined;
 }
 
-function badArgument(message: string): PolylapError {
-  return new PolylapError('bad-argument', message);
-}
-
-/** Numbers that C++ would quietly cut to whole ones are refused here. */
-export function wholeNumber(value: unknown, name: string, min = -(2 ** 31), max = 2 ** 31 - 1): number {
-  if (typeof value !== 'number' || !Number.isInteger(value) || value < min || value > max) {
-    throw badArgument(`${name} must be a whole number of at least ${min} and at most ${max}, not ${String(value)}`);
-  }
-  return value;
-}
-
-function realNumber(value: unknown, name: string): number {
-  if (typeof value !== 'number') throw badArgument(`${name} must be a number, not ${String(value)}`);
-  return value;
+/** What a call may be given besides its arguments, read once. */
+function optionsOf(options: SyncOptions): SyncOptions {
+  const copy = fields(options, 'the options');
+  optionalFunction(copy.onProgress, 'onProgress');
+  return copy;
 }
 
 /** Makes one call. Whatever goes wrong in it leaves as a PolylapError; what the caller's own callback throws leaves as it is. */
@@ -70,11 +74,11 @@ function call<T>(work: (tick: Tick | undefined) => Reply<T>, onProgress?: SyncOp
 
 /** What came past the guard in C++: a trap, an exhausted stack, an array that JavaScript had no room for. */
 function opaque(error: unknown): PolylapError {
-  const message = error instanceof Error ? error.message : String(error);
+  const message = messageOf(error);
   if (error instanceof RangeError && /allocation|array length/i.test(message)) {
     return new PolylapError('out-of-memory', 'not enough memory for the result');
   }
-  return new PolylapError('internal', `the core stopped: ${message}`);
+  return new CoreStopped(message);
 }
 
 /** The module, loaded: see load.ts. */
@@ -86,12 +90,17 @@ export class Polylap {
   }
 
   /** Reads a mesh file; the format follows from the ending of `name`. */
-  open(bytes: Uint8Array | string, name: string, { onProgress }: Pick<SyncOptions, 'onProgress'> = {}): Session {
-    const data = typeof bytes === 'string' ? new TextEncoder().encode(bytes) : bytes;
-    return this.#own((tick) => this.#module.open(data, name, tick), onProgress);
+  open(
+    contents: Uint8Array | ArrayBuffer | string,
+    name: string,
+    options: Pick<SyncOptions, 'onProgress'> = {},
+  ): Session {
+    const [bytes, file] = [bytesOf(contents), text(name, 'the name of a mesh')];
+    return this.#own((tick) => this.#module.open(bytes, file, tick), optionsOf(options).onProgress);
   }
 
-  make(spec: ShapeSpec): Session {
+  make(shape: ShapeSpec): Session {
+    const spec = fields(shape, 'a shape');
     const noise = realNumber(spec.noise ?? 0, 'noise');
     const seed = wholeNumber(spec.seed ?? 1, 'seed', 0, 2 ** 32 - 1);
     const module = this.#module;
@@ -112,7 +121,7 @@ export class Polylap {
         return this.#own(() => module.makeSaddle(n, height, noise, seed));
       }
       default:
-        throw badArgument(`no such shape: ${String((spec as { shape?: unknown }).shape)}`);
+        throw badArgument(`no such shape: ${text((spec as { shape?: unknown }).shape, 'the name of a shape')}`);
     }
   }
 
@@ -135,9 +144,13 @@ export class Polylap {
   }
 }
 
-/** One mesh with two sides. Call `close` when done: C++ memory is not garbage collected. */
+/**
+ * One mesh with two sides. Call `close` when done: C++ memory is not garbage collected.
+ * A callback of one of its calls must leave it alone: any use throws `bad-argument`.
+ */
 export class Session {
   #handle: RawSession | undefined;
+  #busy = false;
   readonly #sides: RawModule['Side'];
 
   constructor(raw: RawSession, sides: RawModule['Side']) {
@@ -145,89 +158,108 @@ export class Session {
     this.#sides = sides;
   }
 
-  get #raw(): RawSession {
-    if (!this.#handle) throw badArgument('this mesh has been closed');
-    return this.#handle;
-  }
-
   info(): MeshInfo {
-    return call(() => this.#raw.info());
+    return this.#call((raw) => raw.info());
   }
 
   geometry(): Geometry {
-    return call(() => this.#raw.geometry());
+    return this.#call((raw) => raw.geometry());
   }
 
   /** The side's surface as it stands. */
-  surface({ side }: SyncOptions = {}): Smoothed {
-    const raw = this.#side(side);
-    return call(() => this.#raw.surface(raw));
+  surface(options: SyncOptions = {}): Smoothed {
+    const side = this.#side(optionsOf(options).side);
+    return this.#call((raw) => raw.surface(side));
   }
 
-  shape({ side }: SyncOptions = {}): Shape {
-    const raw = this.#side(side);
-    return call(() => this.#raw.shape(raw));
+  shape(options: SyncOptions = {}): Shape {
+    const side = this.#side(optionsOf(options).side);
+    return this.#call((raw) => raw.shape(side));
   }
 
-  obj({ side }: SyncOptions = {}): string {
-    const raw = this.#side(side);
-    return call(() => this.#raw.obj(raw));
+  obj(options: SyncOptions = {}): string {
+    const side = this.#side(optionsOf(options).side);
+    return this.#call((raw) => raw.obj(side));
   }
 
-  weights(spec: OperatorSpec, { side, onProgress }: SyncOptions = {}): Weights {
-    const raw = this.#operator(side, spec);
-    return call((tick) => this.#raw.weights(raw, tick), onProgress);
+  weights(spec: OperatorSpec, options: SyncOptions = {}): Weights {
+    return this.#apply(spec, options, (raw, side, tick) => raw.weights(side, tick));
   }
 
   /** All steps or none: a step that fails or is stopped leaves the surface as it was. */
-  smooth(spec: OperatorSpec, options: SmoothOptions, { side, onProgress }: SyncOptions = {}): Smoothed {
-    const time = realNumber(options.time, 'time');
-    const steps = wholeNumber(options.steps ?? 1, 'steps', 1);
-    const raw = this.#operator(side, spec);
-    call((tick) => this.#raw.smooth(raw, time, steps, options.rebuild ?? true, tick), onProgress);
-    return call(() => this.#raw.surface(raw));
+  smooth(spec: OperatorSpec, how: SmoothOptions, options: SyncOptions = {}): Smoothed {
+    const given = fields(how, 'smoothing options');
+    const time = realNumber(given.time, 'time');
+    const steps = wholeNumber(given.steps ?? 1, 'steps', 1);
+    const rebuild = yesOrNo(given.rebuild ?? true, 'rebuild');
+    const mine = optionsOf(options);
+    this.#apply(spec, mine, (raw, side, tick) => raw.smooth(side, time, steps, rebuild, tick));
+    return this.surface(mine);
   }
 
-  harmonic(spec: OperatorSpec, fixed: FixedValues, { side, onProgress }: SyncOptions = {}): Harmonic {
-    const vertices = Int32Array.from(fixed.vertices, (vertex, k) => wholeNumber(vertex, `fixed vertex number ${k}`));
-    const values = Float64Array.from(fixed.values, (value, k) => realNumber(value, `fixed value number ${k}`));
-    const raw = this.#operator(side, spec);
-    return call((tick) => this.#raw.harmonic(raw, vertices, values, tick), onProgress);
+  harmonic(spec: OperatorSpec, fixed: FixedValues, options: SyncOptions = {}): Harmonic {
+    const given = fields(fixed, 'fixed values');
+    const vertices = numbers(Int32Array, given.vertices, 'fixed vertices', wholeNumber);
+    const values = numbers(Float64Array, given.values, 'fixed values', realNumber);
+    return this.#apply(spec, options, (raw, side, tick) => raw.harmonic(side, vertices, values, tick));
   }
 
-  matrices(spec: OperatorSpec, { side, onProgress }: SyncOptions = {}): Matrices {
-    const raw = this.#operator(side, spec);
-    return call((tick) => this.#raw.matrices(raw, tick), onProgress);
+  matrices(spec: OperatorSpec, options: SyncOptions = {}): Matrices {
+    return this.#apply(spec, options, (raw, side, tick) => raw.matrices(side, tick));
   }
 
   /** Back to the loaded mesh; both sides if none is named. */
   reset(side?: Side): void {
     const sides: Side[] = side === undefined ? ['a', 'b'] : [side];
-    for (const raw of sides.map((each) => this.#side(each))) call(() => this.#raw.reset(raw));
+    for (const each of sides.map((name) => this.#side(name))) this.#call((raw) => raw.reset(each));
   }
 
   /** Puts a side onto given coordinates (3V), as after `step` smoothing steps. */
-  restore({ coordinates, step }: Pick<Smoothed, 'coordinates' | 'step'>, { side }: SyncOptions = {}): void {
-    const raw = this.#side(side);
+  restore(saved: Pick<Smoothed, 'coordinates' | 'step'>, options: SyncOptions = {}): void {
+    const { coordinates, step } = fields(saved, 'a saved surface');
+    const side = this.#side(optionsOf(options).side);
     const steps = wholeNumber(step, 'step', 0);
-    call(() => this.#raw.restore(raw, coordinates, steps));
+    const data = numbers(Float64Array, coordinates, 'coordinates', realNumber);
+    this.#call((raw) => raw.restore(side, data, steps));
   }
 
   close(): void {
+    this.#refuseIfBusy();
     this.#handle?.delete();
     this.#handle = undefined;
   }
 
-  #side(side: Side = 'a'): RawSide {
-    if (side !== 'a' && side !== 'b') throw badArgument(`the side must be 'a' or 'b', not ${String(side)}`);
-    return this.#sides[side];
+  /** Every way into the core. Nothing may come in while C++ is at work on the session: it would be pulled from under it. */
+  #call<T>(work: (raw: RawSession, tick: Tick | undefined) => Reply<T>, onProgress?: SyncOptions['onProgress']): T {
+    this.#refuseIfBusy();
+    const raw = this.#handle;
+    if (!raw) throw badArgument('this mesh has been closed');
+    this.#busy = true;
+    try {
+      return call((tick) => work(raw, tick), onProgress);
+    } finally {
+      this.#busy = false;
+    }
   }
 
-  #operator(side: Side | undefined, spec: OperatorSpec): RawSide {
-    if (typeof spec !== 'object' || spec === null)
-      throw badArgument(`an operator is given as {id: …}, not ${String(spec)}`);
-    const raw = this.#side(side);
-    call(() => this.#raw.setOperator(raw, spec));
-    return raw;
+  /** A call with an operator. */
+  #apply<T>(
+    spec: OperatorSpec,
+    options: SyncOptions,
+    work: (raw: RawSession, side: RawSide, tick: Tick | undefined) => Reply<T>,
+  ): T {
+    const copy = operatorSpec(spec);
+    const { side, onProgress } = optionsOf(options);
+    const on = this.#side(side);
+    this.#call((raw) => raw.setOperator(on, copy));
+    return this.#call((raw, tick) => work(raw, on, tick), onProgress);
+  }
+
+  #refuseIfBusy(): void {
+    if (this.#busy) throw badArgument('this mesh is busy: one of its calls is still running');
+  }
+
+  #side(side: Side = 'a'): RawSide {
+    return this.#sides[oneOf(side, ['a', 'b'], 'the side')];
   }
 }

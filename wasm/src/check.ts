@@ -1,0 +1,124 @@
+/** Arguments as callers in plain JavaScript may give them: what is not right leaves as `bad-argument`, before it reaches the core or the worker. */
+import { PolylapError } from './error.js';
+import type { OperatorSpec } from './generated.js';
+import type { SmoothRunOptions } from './types.js';
+
+export function badArgument(message: string): PolylapError {
+  return new PolylapError('bad-argument', message);
+}
+
+export const messageOf = (error: unknown) => (error instanceof Error ? error.message : String(error));
+
+/** A value in a message; `String` would throw on some objects and print whole functions. */
+function show(value: unknown): string {
+  if (Array.isArray(value)) return 'an array';
+  if (typeof value === 'function') return 'a function';
+  return typeof value === 'object' && value !== null ? 'an object' : String(value);
+}
+
+/** Runs what may run the caller's code, such as getters. */
+function reading<T>(what: string, work: () => T): T {
+  try {
+    return work();
+  } catch (error) {
+    if (error instanceof PolylapError) throw error;
+    throw badArgument(`${what} cannot be read: ${messageOf(error)}`);
+  }
+}
+
+/** A shallow copy of an object: read once, and the caller may change the original. */
+export function fields<T extends object>(value: T, what: string): T {
+  if (typeof value !== 'object' || value === null) throw badArgument(`${what} must be an object, not ${show(value)}`);
+  return reading(what, () => ({ ...value }));
+}
+
+/** A copy that shares nothing with the caller. */
+export function ownCopy<T>(value: T): T {
+  return reading('the arguments', () => structuredClone(value));
+}
+
+/** Numbers that C++ would quietly cut to whole ones are refused here. */
+export function wholeNumber(value: unknown, name: string, min = -(2 ** 31), max = 2 ** 31 - 1): number {
+  if (typeof value !== 'number' || !Number.isInteger(value) || value < min || value > max) {
+    throw badArgument(`${name} must be a whole number of at least ${min} and at most ${max}, not ${show(value)}`);
+  }
+  return value;
+}
+
+export function realNumber(value: unknown, name: string): number {
+  if (typeof value !== 'number') throw badArgument(`${name} must be a number, not ${show(value)}`);
+  return value;
+}
+
+export function yesOrNo(value: unknown, name: string): boolean {
+  if (typeof value !== 'boolean') throw badArgument(`${name} must be true or false, not ${show(value)}`);
+  return value;
+}
+
+export function text(value: unknown, name: string): string {
+  if (typeof value !== 'string') throw badArgument(`${name} must be text, not ${show(value)}`);
+  return value;
+}
+
+export function oneOf<T extends string>(value: T, choices: readonly T[], name: string): T {
+  if (!choices.includes(value)) throw badArgument(`${name} must be '${choices.join("' or '")}', not ${show(value)}`);
+  return value;
+}
+
+export function optionalFunction(value: unknown, name: string): void {
+  if (typeof (value ?? show) !== 'function') throw badArgument(`${name} must be a function, not ${show(value)}`);
+}
+
+/** @param each checks a number and names it in its error */
+export function numbers<T>(
+  type: { from(values: ArrayLike<number>, each: (value: unknown, k: number) => number): T },
+  values: ArrayLike<number>,
+  name: string,
+  each: (value: unknown, name: string) => number,
+): T {
+  if (typeof values !== 'object' || values === null) throw badArgument(`${name} must be an array, not ${show(values)}`);
+  return reading(name, () => {
+    wholeNumber(values.length, `the number of ${name}`, 0);
+    return type.from(values, (value, k) => each(value, `${name}[${k}]`));
+  });
+}
+
+/** `{id, parameter: number or text, …}`, copied. */
+export function operatorSpec(spec: OperatorSpec): OperatorSpec {
+  const copy = fields(spec, 'an operator, {id: …},');
+  for (const [key, value] of Object.entries(copy as object)) {
+    if (value !== undefined && typeof value !== 'number' && typeof value !== 'string') {
+      throw badArgument(`${key} of an operator must be a number or text, not ${show(value)}`);
+    }
+  }
+  return copy;
+}
+
+/** The contents of a mesh file; a view where there is one. */
+export function bytesOf(contents: Uint8Array | ArrayBuffer | string): Uint8Array {
+  if (typeof contents === 'string') return new TextEncoder().encode(contents);
+  if (contents instanceof Uint8Array) return contents;
+  if (contents instanceof ArrayBuffer) return reading('the contents of a mesh', () => new Uint8Array(contents));
+  throw badArgument(`a mesh must be text, a Uint8Array or an ArrayBuffer, not ${show(contents)}`);
+}
+
+/** The caller's wishes for one call, read once. */
+export function runOf(given: SmoothRunOptions): SmoothRunOptions {
+  const run = fields(given, 'the options of a call');
+  optionalFunction(run.onProgress, 'onProgress');
+  optionalFunction(run.onStep, 'onStep');
+  if (!((run.signal ?? undefined) === undefined || run.signal instanceof AbortSignal))
+    throw badArgument('signal must be an AbortSignal');
+  return run;
+}
+
+/** Bytes that the caller can no longer change: what a restarted worker reads must be what was opened. */
+export async function ownBytes(contents: Uint8Array | ArrayBuffer | Blob | string): Promise<Uint8Array> {
+  // Not with slice, which copies nothing in Node's Buffer.
+  if (!(contents instanceof Blob)) return new Uint8Array(bytesOf(contents));
+  try {
+    return new Uint8Array(await contents.arrayBuffer());
+  } catch (error) {
+    throw badArgument(`the file cannot be read: ${messageOf(error)}`);
+  }
+}
