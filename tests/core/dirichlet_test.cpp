@@ -185,5 +185,21 @@ TEST(Dirichlet, SingularSystemsAreRefused) {
     EXPECT_LT(singular.error().element, noisy.vertex_count());
 }
 
+TEST(DirichletProblem, RefusesWhatDoesNotFit) {
+    const auto rectangular = DirichletProblem::create(SparseMatrix(5, 3), std::vector<Index>{0});
+    ASSERT_FALSE(rectangular.ok());
+    EXPECT_EQ(rectangular.error().code, ErrorCode::bad_argument);
+
+    // Finite values whose difference is none have no solution in double precision.
+    const auto problem =
+        get(DirichletProblem::create(stiffness(specimen("grid-2x2"), "planar"), std::vector<Index>{0, 8}));
+    const auto overflow = problem.solve(Vector{{-1.7e308, 1.7e308}});
+    if (overflow.ok()) {
+        EXPECT_TRUE(overflow->allFinite());
+    } else {
+        EXPECT_EQ(overflow.error().code, ErrorCode::bad_argument);
+    }
+}
+
 }  // namespace
 }  // namespace polylap::test

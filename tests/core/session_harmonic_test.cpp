@@ -105,5 +105,16 @@ TEST(Session, SingularHarmonicProblems) {
     EXPECT_EQ(state_of(session), state);
 }
 
+TEST(Session, HarmonicIsFiniteOrRefused) {
+    Session session = open_mesh(get(make_grid(8, 8)));
+    const std::vector<Index> fixed{0, 80};
+    const auto h = session.harmonic(Side::a, fixed, std::vector<double>{1e308, -1e308});
+    if (h.ok()) {
+        EXPECT_TRUE(h->values.allFinite());
+    } else {
+        EXPECT_EQ(h.error().code, ErrorCode::bad_argument);
+    }
+}
+
 }  // namespace
 }  // namespace polylap::test

@@ -393,5 +393,15 @@ TEST(Session, SmoothsManyStepsWithoutBlowingUp) {
     }
 }
 
+TEST(Session, CountsStepsWithoutOverflow) {
+    Session session = open_mesh(specimen("grid-2x2"));
+    constexpr int most = std::numeric_limits<int>::max();
+    check(session.restore(Side::a, session.mesh().positions(), most));
+    const auto status = session.smooth(Side::a, {.time = 1, .steps = 1});
+    ASSERT_FALSE(status.ok());
+    EXPECT_EQ(status.error().code, ErrorCode::bad_argument);
+    EXPECT_EQ(session.step_count(Side::a), most);
+}
+
 }  // namespace
 }  // namespace polylap::test

@@ -129,5 +129,18 @@ TEST(ImplicitSmoother, GoesOnAfterARefusedUpdate) {
               get(get(ImplicitSmoother::create(m, 0.2)).step(specimen("grid-2x2").positions())));
 }
 
+TEST(ImplicitSmoother, RefusesMatricesThatDoNotFitEachOther) {
+    const auto m = build(specimen("grid-2x2"), operators().front());
+    for (const auto& misfit : {OperatorMatrices{m.stiffness, SparseMatrix(8, 8)}, OperatorMatrices{m.stiffness, {}},
+                               OperatorMatrices{SparseMatrix(9, 8), m.mass}}) {
+        const auto smoother = ImplicitSmoother::create(misfit, 1);
+        ASSERT_FALSE(smoother.ok());
+        EXPECT_EQ(smoother.error().code, ErrorCode::bad_argument);
+    }
+    Points points = specimen("grid-2x2").positions();
+    points(3, 1) = std::numeric_limits<double>::infinity();
+    EXPECT_FALSE(get(ImplicitSmoother::create(m, 1)).step(points).ok());
+}
+
 }  // namespace
 }  // namespace polylap::test

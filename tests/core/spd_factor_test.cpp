@@ -162,5 +162,22 @@ TEST(SpdFactor, Moves) {
     expect_solves(third, a, 1);
 }
 
+TEST(SpdFactor, RefusesToSolveWithoutAFittingFactor) {
+    SpdFactor factor;
+    const auto refused = [&factor](Eigen::Index rows) {
+        const auto solved = factor.solve(Matrix::Ones(rows, 1));
+        return !solved.ok() && solved.error().code == ErrorCode::bad_argument;
+    };
+    EXPECT_TRUE(refused(3)) << "nothing done";
+    check(factor.analyse(sparse(Matrix::Identity(3, 3) * 5)));
+    EXPECT_TRUE(refused(3)) << "only analysed";
+    check(factor.factor(sparse(Matrix::Identity(3, 3) * 5)));
+    EXPECT_FALSE(refused(3));
+    EXPECT_TRUE(refused(2)) << "too few rows";
+    EXPECT_TRUE(refused(4)) << "too many rows";
+    EXPECT_FALSE(factor.factor(sparse(Matrix::Identity(3, 3) * -5)).ok());
+    EXPECT_TRUE(refused(3)) << "the last factorisation failed";
+}
+
 }  // namespace
 }  // namespace polylap::test

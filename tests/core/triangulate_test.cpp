@@ -339,10 +339,10 @@ TEST(Triangulate, TheStartCornerDoesNotMatter) {
 }
 
 TEST(Triangulate, LargePolygons) {
-    for (const int n : {64, 1000}) {
+    for (const int n : {64, 65, 150, 1000}) {
         const Polygon p = flat(regular_polygon(n));
         for (const TriangulationRule rule : rules) {
-            if (n > 64 && (rule == TriangulationRule::min_max_angle || rule == TriangulationRule::shortest_diagonal))
+            if (n > 150 && (rule == TriangulationRule::min_max_angle || rule == TriangulationRule::shortest_diagonal))
                 continue;  // O(n³)
             std::vector<Triangle> triangles;
             check(triangulate_polygon(p, rule, triangles));
