@@ -69,6 +69,8 @@ describe('smoothing', () => {
 
   it('plays, pauses in step, and goes back', async () => {
     const { page } = at;
+    // Small, so that a late pause finds the surfaces still there.
+    await page.getByLabel('Time step in mean squared edge lengths, value').fill('0.02');
     await page.getByRole('button', { name: 'Play' }).click();
     await page.waitForFunction(() => globalThis.polylap.results().b.step >= 6);
     await page.getByRole('button', { name: 'Pause' }).click();
@@ -85,6 +87,7 @@ describe('smoothing', () => {
 
   it('keeps the operator of the loaded mesh when told to', async () => {
     const { page } = at;
+    await page.getByLabel('Time step in mean squared edge lengths, value').fill('0.4');
     await page.getByLabel('Rebuild the operator each step').uncheck();
     for (let step = 1; step <= 2; step++) {
       await page.getByRole('button', { name: 'Step', exact: true }).click();

@@ -4,8 +4,8 @@ import { load } from '../../wasm/src/node.js';
 import { boundaryPins, examplePins } from '../../web/src/boundary-pins.js';
 import { count, exact, real, weight } from '../../web/src/format.js';
 import { latest } from '../../web/src/latest.js';
-import { looksLikeObj } from '../../web/src/layout/intake.js';
 import { drawnPairs } from '../../web/src/layout/weights-panel.js';
+import { looksLikeObj } from '../../web/src/obj-text.js';
 import type { Mesh } from '../../web/src/polylap.js';
 import { freshSide, sharedRange } from '../../web/src/results.js';
 import { sparseRow } from '../../web/src/sparse-row.js';
@@ -135,6 +135,25 @@ describe('work', () => {
     expect(isCancelled(await long.catch((reason) => reason))).toBe(true);
     expect(told.filter((line) => line !== null)).toEqual(['long null', 'long 0.5']);
     expect(told.at(-1)).toBe(null);
+    expect(work.idle).toBe(true);
+  });
+});
+
+describe('work that waits', () => {
+  it('is dropped, what is under way is not', async () => {
+    const work = new Work(() => {});
+    const signals: AbortSignal[] = [];
+    const ends: (() => void)[] = [];
+    const runs = [0, 1, 2].map(() =>
+      work.run('one after the other', ({ signal }) => {
+        signals.push(signal);
+        return new Promise<void>((done) => ends.push(done));
+      }),
+    );
+    work.cancelWaiting();
+    expect(signals.map(({ aborted }) => aborted)).toEqual([false, true, true]);
+    for (const end of ends) end();
+    await Promise.all(runs);
     expect(work.idle).toBe(true);
   });
 });

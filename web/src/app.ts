@@ -1,21 +1,24 @@
 import { count, plural } from './format.js';
 import { latest } from './latest.js';
-import { type Client, type Mesh, PolylapError, type Side, type Smoothed } from './polylap.js';
+import { describe, explain } from './messages.js';
+import { countFaces } from './obj-text.js';
+import type { Client, Mesh, Side, Smoothed } from './polylap.js';
 import { freshSide, type Message, noResults, type Results, type SideResults } from './results.js';
 import { type Choice, initialState, presets, type Source, type State, sides, withPin } from './state.js';
+import { isFaceRefused, littleLeft, nothingLeft, type Stop, stopped } from './stops.js';
 import { Store } from './store.js';
 import { isCancelled, Work } from './work.js';
 
 type Spec = Parameters<Mesh['weights']>[0];
 type Kind = 'weights' | 'harmonic' | 'matrices';
 
-const manyFaces = 200_000;
 const tooManyFaces = 1_000_000;
 const tooManyBytes = 200e6;
 /** Rows of S are read from the whole matrix; beyond this that is too much to copy for each touch of a slider. */
 export const rowLimit = 20_000;
 /** Milliseconds between steps when playing: slow enough to watch. */
 const stepPace = 90;
+const playingNotice = 'Smoothing …';
 
 /** What the page can do. Holds what was chosen (`state`) and what came of it (`results`); knows nothing of the document. */
 export class App {
@@ -24,6 +27,11 @@ export class App {
   private readonly work = new Work((busy) => this.results.set({ busy }));
   private readonly refreshers: Record<Side, Record<Kind, (mesh: Mesh) => void>>;
   private opening = 0;
+  /** Meshes asked for and not there yet. */
+  private awaited = 0;
+  private plays = 0;
+  /** Area of the loaded mesh, before any step. */
+  private loadedArea = 0;
   private stepping: Promise<void> | null = null;
 
   /** @param client the page is there before the worker is */
@@ -83,10 +91,16 @@ export class App {
   private async take(source: Source, label: string, make: () => Promise<Mesh>): Promise<Message | null> {
     const turn = ++this.opening;
     this.pause();
+    this.awaited++;
+    // The new mesh does not wait for answers about the old one.
+    this.work.cancelWaiting();
     let mesh: Mesh;
     try {
       mesh = await make();
     } catch (reason) {
+      this.awaited--;
+      this.askAgain();
+      if (turn !== this.opening) return null;
       if (isCancelled(reason)) {
         this.say(`Opening ${label} was cancelled; the mesh is as it was.`);
         return null;
@@ -95,10 +109,12 @@ export class App {
       this.results.set({ error, notice: error.title });
       return error;
     }
+    this.awaited--;
     if (turn !== this.opening) {
       await mesh.close();
       return null;
     }
+    this.loadedArea = 0;
     const before = this.results.get().mesh;
     this.state.set({ source, selected: null, harmonic: { ...this.state.get().harmonic, pins: [] } });
     const { positions } = mesh.geometry;
@@ -118,11 +134,22 @@ export class App {
     return null;
   }
 
+  /** What was left unasked for the sake of a mesh that did not come. */
+  private askAgain(): void {
+    const { mesh } = this.results.get();
+    if (!mesh || this.awaited > 0) return;
+    for (const side of sides) {
+      if (!this.results.get()[side].shape) void this.measure(mesh, side);
+      this.update(side);
+    }
+  }
+
   private async measure(mesh: Mesh, side: Side): Promise<void> {
     try {
       const shape = await this.work.run(`${side.toUpperCase()}: area and volume`, (run) =>
         mesh.shape({ side, ...run }),
       );
+      if (this.results.get().mesh === mesh) this.loadedArea = shape.area;
       this.patch(mesh, side, { shape });
     } catch (reason) {
       this.fail(mesh, 'The surface could not be measured', reason);
@@ -145,11 +172,18 @@ export class App {
   update(side: Side): void {
     const mesh = this.results.get().mesh;
     if (!mesh) return;
-    const { task, selected, harmonic } = this.state.get();
+    const { task, harmonic } = this.state.get();
     this.refreshers[side].weights(mesh);
     if (harmonic.pins.length === 0) this.patch(mesh, side, { harmonic: null });
     else if (task === 'harmonic') this.refreshers[side].harmonic(mesh);
-    if (task === 'weights' && selected !== null && mesh.vertices <= rowLimit) this.refreshers[side].matrices(mesh);
+    this.askRow(side);
+  }
+
+  private askRow(side: Side): void {
+    const { mesh } = this.results.get();
+    const { task, selected } = this.state.get();
+    if (mesh && task === 'weights' && selected !== null && mesh.vertices <= rowLimit)
+      this.refreshers[side].matrices(mesh);
   }
 
   private updateBoth(): void {
@@ -157,7 +191,7 @@ export class App {
   }
 
   private async refresh(mesh: Mesh, side: Side, kind: Kind): Promise<void> {
-    if (this.results.get().mesh !== mesh) return;
+    if (this.results.get().mesh !== mesh || this.awaited > 0) return;
     const state = this.state.get();
     const spec = specOf(state.sides[side]);
     const name = `${side.toUpperCase()}: ${{ weights: 'weights', harmonic: 'harmonic function', matrices: 'matrix' }[kind]}`;
@@ -175,7 +209,7 @@ export class App {
         }
       });
     } catch (reason) {
-      if (this.results.get().mesh !== mesh) return;
+      if (this.results.get().mesh !== mesh || (isCancelled(reason) && this.awaited > 0)) return;
       this.patch(mesh, side, { [kind]: isCancelled(reason) ? 'cancelled' : explain(reason) });
       if (isCancelled(reason)) this.say('Cancelled; the mesh is as it was.');
     }
@@ -211,37 +245,56 @@ export class App {
       ),
     );
     if (this.results.get().mesh !== mesh) return;
-    const patch: Partial<Results> = {};
+    const patch: Partial<Results> = { error: null };
+    const stops: Stop[] = [];
     settled.forEach((outcome, k) => {
       const side = moving[k] as Side;
-      if (outcome.status === 'fulfilled') patch[side] = { ...this.results.get()[side], ...surfaceOf(outcome.value) };
-      else {
+      if (outcome.status === 'fulfilled') {
+        const { stats, step } = outcome.value;
+        patch[side] = { ...this.results.get()[side], ...surfaceOf(outcome.value) };
+        if (stats.area < nothingLeft * this.loadedArea)
+          stops.push({ side, step, collapsed: true, reason: 'Less than a millionth of its area is left.' });
+      } else if (isCancelled(outcome.reason)) {
         patch.playing = false;
-        if (isCancelled(outcome.reason)) patch.notice = 'Cancelled; the surfaces are those of the last finished step.';
-        else {
-          const who = patch.error ? 'Both sides' : `Side ${side.toUpperCase()}`;
-          patch.error = { title: `${who} stopped at step ${behind}`, text: explain(outcome.reason) };
-        }
+        patch.notice = 'Cancelled; the surfaces are those of the last finished step.';
+      } else {
+        const area = results[side].shape?.area ?? this.loadedArea;
+        const collapsed = behind > 0 && (area < littleLeft * this.loadedArea || isFaceRefused(outcome.reason));
+        stops.push({ side, step: behind, collapsed, reason: explain(outcome.reason) });
       }
     });
+    if (stops.length > 0) {
+      patch.playing = false;
+      patch.error = stopped(stops);
+      patch.notice = `Stopped at step ${count(Math.max(...stops.map((stop) => stop.step)))}.`;
+    }
     this.results.set(patch);
     this.updateBoth();
   }
 
   async play(): Promise<void> {
     if (this.results.get().playing || !this.results.get().mesh) return;
-    this.results.set({ playing: true, error: null, notice: 'Smoothing …' });
-    while (this.results.get().playing) {
+    const turn = ++this.plays;
+    const goesOn = () => this.results.get().playing && turn === this.plays;
+    this.results.set({ playing: true, error: null, notice: playingNotice });
+    while (goesOn()) {
       const pace = new Promise((done) => setTimeout(done, stepPace));
       await this.step();
-      await pace;
+      if (goesOn()) await pace;
     }
+    if (turn === this.plays) this.sayPaused();
   }
 
   pause(): void {
     if (!this.results.get().playing) return;
     this.results.set({ playing: false });
-    void this.stepping?.then(() => this.say(`Paused at step ${count(this.results.get().a.step)}.`));
+    if (!this.stepping) this.sayPaused();
+  }
+
+  /** Unless there is other news already. */
+  private sayPaused(): void {
+    const { notice, a, b } = this.results.get();
+    if (notice === playingNotice) this.say(`Paused at step ${count(Math.min(a.step, b.step))}.`);
   }
 
   async reset(): Promise<void> {
@@ -261,7 +314,7 @@ export class App {
       void this.measure(mesh, side);
     }
     this.updateBoth();
-    this.say('Back to the loaded mesh.');
+    this.results.set({ error: null, notice: 'Back to the loaded mesh.' });
   }
 
   // --- harmonic -----------------------------------------------------------------------------------------------------------
@@ -294,7 +347,8 @@ export class App {
     if (vertex === this.state.get().selected) return;
     const first = this.state.get().selected === null;
     this.state.set({ selected: vertex });
-    if (first) this.updateBoth();
+    // Rows are not asked for until somebody looks at one.
+    if (first) for (const side of sides) this.askRow(side);
   }
 
   hover(vertex: number | null): void {
@@ -340,33 +394,4 @@ function specOf(choice: Choice): Spec {
 
 function surfaceOf({ step, positions, stats }: Smoothed) {
   return { step, positions, shape: stats };
-}
-
-/** The error's own words as a sentence, with the line in front if they do not name it. */
-export function explain(reason: unknown): string {
-  const message = reason instanceof Error ? reason.message : String(reason);
-  const named = !(reason instanceof PolylapError) || reason.line < 1 || /\bline\b/i.test(message);
-  const text = named ? message : `line ${reason.line}: ${message}`;
-  return `${text.charAt(0).toUpperCase()}${text.slice(1)}${/[.!?]$/.test(text) ? '' : '.'}`;
-}
-
-function describe(mesh: Mesh, label: string): string {
-  const parts = [`${label}: ${plural(mesh.vertices, 'vertex', 'vertices')}, ${plural(mesh.faces, 'face')}.`];
-  for (const issue of mesh.issues) parts.push(`${issue.message.replace(/\.?$/, '.')}`);
-  if (mesh.faces > manyFaces) parts.push('A large mesh: a step may take seconds.');
-  return parts.join(' ');
-}
-
-/** Faces of an OBJ file, by its lines; 0 for what is no OBJ. Cheap, so that the worker need not run out of memory to find out. */
-async function countFaces(file: Blob, name: string): Promise<number> {
-  if (!/\.obj$/i.test(name) || file.size < 8e6) return 0;
-  let faces = 0;
-  let atStart = true;
-  for (let at = 0; at < file.size; at += 4e6) {
-    for (const byte of new Uint8Array(await file.slice(at, at + 4e6).arrayBuffer())) {
-      if (atStart && byte === 102) faces++;
-      atStart = byte === 10;
-    }
-  }
-  return faces;
 }

@@ -59,7 +59,7 @@ export function initialState(): State {
     task: 'weights',
     source: { kind: 'preset', id: 'noisy-torus' },
     sides: { a: initialChoice(openingPair.a), b: initialChoice(openingPair.b) },
-    smooth: { timeH2: 0.1, rebuild: true },
+    smooth: { timeH2: 0.02, rebuild: true },
     harmonic: { pins: [], value: 1 },
     negativeShown: { weights: true, smooth: true, harmonic: false },
     selected: null,

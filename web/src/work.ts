@@ -49,6 +49,11 @@ export class Work {
     for (const job of this.jobs) job.controller.abort();
   }
 
+  /** Cancels what the worker has not begun: it takes one request after the other. */
+  cancelWaiting(): void {
+    for (const job of [...this.jobs].slice(1)) job.controller.abort();
+  }
+
   private tell(): void {
     const first = this.jobs.values().next().value;
     if (first) {

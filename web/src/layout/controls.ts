@@ -6,35 +6,73 @@ export const newId = (stem: string) => `${stem}-${++ids}`;
 export interface NumberOptions {
   label: string;
   min?: number;
-  max?: number;
-  step?: number | 'any';
+  max?: number | (() => number);
+  integer?: boolean;
+  /** What the arrow keys add. */
+  step?: number;
   onChange: (value: number) => void;
   onEmpty?: () => void;
+  /** @param why one sentence */
+  onRefuse: (why: string) => void;
 }
 
-/** A number field that takes what is valid as it is typed, and shows the last valid value again when left with something else. */
+/**
+ * A number field that takes what is valid as it is typed, and shows the last valid value again when left with something else.
+ * A text field, because browsers drop the decimal comma from others and read 0,5 as 05.
+ */
 export function numberField(options: NumberOptions): {
   element: HTMLInputElement;
   set: (value: number | null) => void;
 } {
   let held: number | null = null;
+  const { label, min = -Infinity, integer = false, step } = options;
+  const max = () => (typeof options.max === 'function' ? options.max() : (options.max ?? Infinity));
+  const valid = (value: number) => value >= min && value <= max() && (!integer || Number.isInteger(value));
+  const allowed = () => {
+    const kind = integer ? 'whole numbers' : 'numbers';
+    if (min === -Infinity && max() === Infinity) return kind;
+    return max() === Infinity ? `${kind} from ${min}` : `${kind} from ${min} to ${max()}`;
+  };
+  const write = (value: number | null) => {
+    element.value = value === null ? '' : String(value);
+    element.removeAttribute('aria-invalid');
+  };
+  const take = (value: number) => {
+    if (value === held) return;
+    held = value;
+    options.onChange(value);
+  };
   const element = h('input', {
-    type: 'number',
+    type: 'text',
     class: 'number',
-    'aria-label': options.label,
-    min: options.min,
-    max: options.max,
-    step: options.step ?? 'any',
+    autocomplete: 'off',
+    // The keyboards of some phones have no minus among the decimals.
+    inputmode: min >= 0 ? (integer ? 'numeric' : 'decimal') : undefined,
+    'aria-label': label,
+    onpointerenter: () => {
+      element.title = `${label}: ${allowed()}`;
+    },
     oninput: () => {
-      const value = element.valueAsNumber;
-      const inside = value >= (options.min ?? -Infinity) && value <= (options.max ?? Infinity);
-      if (!Number.isFinite(value) || !inside || value === held) return;
-      held = value;
-      options.onChange(value);
+      const value = parseNumber(element.value);
+      if (valid(value)) take(value);
+      if (valid(value) || element.value.trim() === '') element.removeAttribute('aria-invalid');
+      else element.setAttribute('aria-invalid', 'true');
     },
     onchange: () => {
-      if (element.value === '' && !element.validity.badInput && options.onEmpty) options.onEmpty();
-      else if (element.valueAsNumber !== held) element.value = held === null ? '' : String(held);
+      const text = element.value.trim();
+      if (text === '' && options.onEmpty) options.onEmpty();
+      else if (text !== '' && !valid(parseNumber(text)))
+        options.onRefuse(`${label} takes ${allowed()}, not ${text.slice(0, 24)}.`);
+      if (text !== '' || !options.onEmpty) write(held);
+    },
+    onkeydown: (event: KeyboardEvent) => {
+      const by = { ArrowUp: step, ArrowDown: step && -step }[event.key];
+      if (by === undefined) return;
+      event.preventDefault();
+      const value = Number(((held ?? 0) + by).toPrecision(12));
+      if (!valid(value)) return;
+      take(value);
+      write(value);
     },
   });
   return {
@@ -42,9 +80,15 @@ export function numberField(options: NumberOptions): {
     set: (value) => {
       held = value;
       // What is being typed ("1." on the way to "1.5") is left alone as long as it means the same.
-      if (element.valueAsNumber !== value) element.value = value === null ? '' : String(value);
+      if (value === null || parseNumber(element.value) !== value) write(value);
     },
   };
+}
+
+/** With a decimal point or comma, and either minus; NaN if it is no number. */
+export function parseNumber(text: string): number {
+  const plain = text.trim().replaceAll('−', '-').replace(',', '.');
+  return /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(plain) ? Number(plain) : Number.NaN;
 }
 
 export function slider(options: {

@@ -2,6 +2,7 @@ import type { App } from '../app.js';
 import { boundaryPins, boundaryPresets, examplePins } from '../boundary-pins.js';
 import { h, put } from '../dom.js';
 import { count, exact, plural } from '../format.js';
+import type { Harmonic } from '../polylap.js';
 import { sides } from '../state.js';
 import { button, menu, numberField } from './controls.js';
 import { sideTable } from './table.js';
@@ -13,7 +14,12 @@ const listed = 60;
 /** Harmonic interpolation of pinned values. */
 export function harmonicPanel(app: App): HTMLElement {
   const setValue = (value: number) => app.state.set({ harmonic: { ...app.state.get().harmonic, value } });
-  const value = numberField({ label: 'Value of the next pin', onChange: setValue });
+  const value = numberField({
+    label: 'Value of the next pin',
+    step: 1,
+    onChange: setValue,
+    onRefuse: (why) => app.say(why),
+  });
   value.element.dataset.field = 'value';
   const quick = [0, 1].map((number) =>
     button(String(number), () => setValue(number), { class: 'key', 'aria-label': `Pin to ${number}` }),
@@ -31,7 +37,7 @@ export function harmonicPanel(app: App): HTMLElement {
     },
     { 'data-action': 'pin-boundary', 'aria-label': 'Pin the whole boundary' },
   );
-  const clear = button('Clear', () => app.setPins([]), { 'data-action': 'clear-pins' });
+  const clear = button('Clear', () => clearPins(), { 'data-action': 'clear-pins' });
   const example = button(
     'Two pins, 0 and 1',
     () => {
@@ -54,7 +60,8 @@ export function harmonicPanel(app: App): HTMLElement {
   const pinSelected = button('Pin', () => togglePin(), { 'data-action': 'pin-vertex' });
   const noBoundary = h('p', { class: 'note' });
   const list = h('ol', { class: 'pins' });
-  const listTitle = h('h2', {});
+  // Takes the focus when the button that had it goes.
+  const listTitle = h('h2', { tabindex: -1 });
   const element = h(
     'div',
     { class: 'panel-body' },
@@ -70,6 +77,18 @@ export function harmonicPanel(app: App): HTMLElement {
     h('section', {}, h('div', { class: 'line' }, vertexField(app), pinSelected), readouts.element, verdict),
     h('section', {}, listTitle, list),
   );
+
+  function clearPins(): void {
+    app.setPins([]);
+    listTitle.focus();
+  }
+
+  function removePin(vertex: number): void {
+    const at = app.state.get().harmonic.pins.findIndex((pin) => pin.vertex === vertex);
+    app.pin(vertex, null);
+    const rest = list.querySelectorAll<HTMLElement>('[data-action=remove-pin]');
+    (rest[Math.min(at, rest.length - 1)] ?? listTitle).focus();
+  }
 
   function togglePin(): void {
     const { selected, harmonic } = app.state.get();
@@ -95,7 +114,7 @@ export function harmonicPanel(app: App): HTMLElement {
     (state) => [state.harmonic.pins, state.selected],
     (pins, selected) => {
       pinSelected.disabled = selected === null;
-      pinSelected.textContent = pins.some((pin) => pin.vertex === selected) ? 'Remove pin' : 'Pin';
+      pinSelected.textContent = pins.some((pin) => pin.vertex === selected) ? 'Unpin' : 'Pin';
     },
   );
   app.state.watch(
@@ -103,21 +122,21 @@ export function harmonicPanel(app: App): HTMLElement {
     (pins) => {
       clear.disabled = pins.length === 0;
       listTitle.textContent = pins.length === 0 ? 'No pins yet' : plural(pins.length, 'pin');
-      // A row that is being typed into must not be built anew.
+      // A row that is being typed into must not be built anew, nor move.
       const rows = new Map(
         Array.from(list.children, (row) => [
           (row as HTMLElement).dataset.vertex,
           row as HTMLElement & { set: (value: number) => void },
         ]),
       );
-      list.replaceChildren(
-        ...pins.slice(0, listed).map((pin) => {
-          const row = rows.get(String(pin.vertex)) ?? pinRow(app, pin.vertex);
-          row.set(pin.value);
-          return row;
-        }),
-        ...(pins.length > listed ? [h('li', { class: 'note' }, `and ${count(pins.length - listed)} more`)] : []),
-      );
+      const wanted: HTMLElement[] = pins.slice(0, listed).map((pin) => {
+        const row = rows.get(String(pin.vertex)) ?? pinRow(app, pin.vertex, removePin);
+        row.set(pin.value);
+        return row;
+      });
+      if (pins.length > listed) wanted.push(h('li', { class: 'note' }, `and ${count(pins.length - listed)} more`));
+      const same = wanted.length === list.children.length && wanted.every((row, k) => row === list.children[k]);
+      if (!same) list.replaceChildren(...wanted);
     },
   );
 
@@ -148,33 +167,53 @@ export function harmonicPanel(app: App): HTMLElement {
           : { text: '–' },
       );
     }
-    const { a, b } = results;
-    const problem = [a.harmonic, b.harmonic].find((harmonic) => typeof harmonic === 'string');
-    if (typeof problem === 'string') put(verdict, problem);
-    else if (a.harmonic && b.harmonic && typeof a.harmonic !== 'string') {
-      const outside = `${count(a.harmonic.outside.length)} | ${count((b.harmonic as typeof a.harmonic).outside.length)}`;
-      put(
-        verdict,
-        `${outside} vertices outside the pinned range [${exact(a.harmonic.fixedMin)}, ${exact(a.harmonic.fixedMax)}]; the maximum principle allows none.`,
-      );
-    } else put(verdict, pins.length === 0 ? 'Pin a vertex to see the harmonic function of both operators.' : ' ');
+    const none = pins.length === 0 ? 'Pin a vertex to see the harmonic function of both operators.' : ' ';
+    put(verdict, verdictOn(results.a.harmonic, results.b.harmonic) || none);
   };
   app.results.watch((results) => [results.a.harmonic, results.b.harmonic, results.hovered], showReadouts);
   app.state.watch((state) => [state.selected, state.harmonic.pins], showReadouts);
   return element;
 }
 
-function pinRow(app: App, vertex: number): HTMLElement & { set: (value: number) => void } {
+/** Each side's own: a message where there is one, the number of vertices outside where not. */
+export function verdictOn(a: Harmonic | string | null, b: Harmonic | string | null): string {
+  if (a === null || b === null) return '';
+  if (typeof a === 'string' && typeof b === 'string') return a === b ? `A and B: ${a}` : `A: ${a} B: ${b}`;
+  const judged = ({ fixedMin, fixedMax }: Harmonic) =>
+    `outside the pinned range [${exact(fixedMin)}, ${exact(fixedMax)}]; the maximum principle allows none.`;
+  if (typeof a !== 'string' && typeof b !== 'string')
+    return `${count(a.outside.length)} | ${count(b.outside.length)} vertices ${judged(a)}`;
+  return [a, b]
+    .map((own, k) => {
+      const letter = 'AB'[k];
+      return typeof own === 'string'
+        ? `${letter}: ${own}`
+        : `${letter}: ${plural(own.outside.length, 'vertex', 'vertices')} ${judged(own)}`;
+    })
+    .join(' ');
+}
+
+function pinRow(
+  app: App,
+  vertex: number,
+  remove: (vertex: number) => void,
+): HTMLElement & { set: (value: number) => void } {
   const field = numberField({
     label: `Value of the pin at vertex ${vertex}`,
+    step: 1,
     onChange: (value) => app.pin(vertex, value),
+    onRefuse: (why) => app.say(why),
   });
   const row = h(
     'li',
     { 'data-vertex': vertex },
     button(`vertex ${count(vertex)}`, () => app.select(vertex), { class: 'quiet' }),
     field.element,
-    button('×', () => app.pin(vertex, null), { class: 'key', 'aria-label': `Remove the pin at vertex ${vertex}` }),
+    button('×', () => remove(vertex), {
+      class: 'key',
+      'data-action': 'remove-pin',
+      'aria-label': `Remove the pin at vertex ${vertex}`,
+    }),
   );
   return Object.assign(row, { set: field.set });
 }

@@ -1,8 +1,6 @@
 import type { App } from '../app.js';
 import { h, isTyping } from '../dom.js';
-
-/** OBJ text has a line that defines a vertex. */
-export const looksLikeObj = (text: string) => /^\s*v\s+[-+.\d]/m.test(text);
+import { looksLikeObj } from '../obj-text.js';
 
 /** Meshes come in by file picker, by drop anywhere, and by paste. Returns the way to the picker. */
 export function intake(app: App, page: HTMLElement): { element: HTMLInputElement; pick: () => void } {
@@ -11,7 +9,7 @@ export function intake(app: App, page: HTMLElement): { element: HTMLInputElement
     class: 'unseen',
     tabindex: -1,
     'aria-label': 'Mesh file',
-    accept: '.obj,model/obj,text/plain',
+    accept: '.obj,model/obj',
     onchange: () => {
       const file = element.files?.[0];
       if (file) void app.open(file, file.name);
@@ -22,8 +20,10 @@ export function intake(app: App, page: HTMLElement): { element: HTMLInputElement
   const target = h('div', { class: 'drop', hidden: true }, h('p', {}, 'Drop the mesh to open it'));
   page.append(target);
   const carriesFile = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;
+  const carriesText = (event: DragEvent) =>
+    !isTyping(event.target) && (event.dataTransfer?.types.includes('text/plain') ?? false);
   const show = (event: DragEvent) => {
-    if (!carriesFile(event)) return;
+    if (!carriesFile(event) && !carriesText(event)) return;
     event.preventDefault();
     target.hidden = false;
   };
@@ -34,18 +34,31 @@ export function intake(app: App, page: HTMLElement): { element: HTMLInputElement
   });
   document.addEventListener('drop', (event) => {
     target.hidden = true;
-    if (!carriesFile(event)) return;
+    if (!carriesFile(event) && !carriesText(event)) return;
     event.preventDefault();
-    const file = event.dataTransfer?.files[0];
-    if (file) void app.open(file, file.name);
+    take(event.dataTransfer, 'dropped');
   });
   document.addEventListener('paste', (event) => {
-    if (isTyping(event.target)) return;
-    const file = event.clipboardData?.files[0];
-    const text = event.clipboardData?.getData('text/plain') ?? '';
-    if (file) void app.open(file, file.name);
-    else if (looksLikeObj(text)) void app.open(new Blob([text]), 'pasted.obj');
-    else if (text) app.say('The clipboard holds no OBJ text: no line starts with v and a number.');
+    if (!isTyping(event.target)) take(event.clipboardData, 'pasted');
   });
+
+  function take(data: DataTransfer | null, how: string): void {
+    const text = data?.getData('text/plain') ?? '';
+    if (data && data.files.length > 0) void openOne(app, [...data.files]);
+    else if (looksLikeObj(text)) void app.open(new Blob([text]), `${how}.obj`);
+    else if (text) app.say(`The ${how} text is no OBJ text: no line starts with v and a number.`);
+  }
   return { element, pick: () => element.click() };
+}
+
+/** Opens the first mesh among files, and says what it left. */
+async function openOne(app: App, files: readonly File[]): Promise<void> {
+  const chosen = files.find(({ name }) => /\.obj$/i.test(name)) ?? files[0];
+  if (!chosen) return;
+  await app.open(chosen, chosen.name);
+  const left = files.filter((file) => file !== chosen).map(({ name }) => name);
+  const { source } = app.state.get();
+  if (left.length === 0 || source.kind !== 'file' || source.name !== chosen.name) return;
+  const named = left.length > 4 ? `${left.slice(0, 3).join(', ')} and ${left.length - 3} more` : left.join(', ');
+  app.say(`${app.results.get().notice} One mesh at a time: left out ${named}.`);
 }

@@ -52,7 +52,14 @@ export function parameterControls(app: App, side: Side): HTMLElement {
     }
     const { min, max, sliderMax, step } = parameter;
     const track = slider({ label: name, min, max: sliderMax, step, onInput: set });
-    const field = numberField({ label: `${name}, value`, min, max, step: 'any', onChange: set });
+    const field = numberField({
+      label: `${name}, value`,
+      min,
+      max,
+      step,
+      onChange: set,
+      onRefuse: (why) => app.say(why),
+    });
     setters[id] = (value) => {
       track.set(Number(value), String(value));
       field.set(Number(value));

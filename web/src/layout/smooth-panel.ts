@@ -28,6 +28,7 @@ export function smoothPanel(app: App): HTMLElement {
     min: 1e-9,
     max: 1e9,
     onChange: setTime,
+    onRefuse: (why) => app.say(why),
   });
   field.element.dataset.field = 'time';
   const rebuild = h('input', {

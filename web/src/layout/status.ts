@@ -1,7 +1,7 @@
 import type { App } from '../app.js';
 import { viridis } from '../colour-maps.js';
 import { h, put } from '../dom.js';
-import { exact } from '../format.js';
+import { count, exact } from '../format.js';
 import { sharedRange } from '../results.js';
 import { button } from './controls.js';
 
@@ -27,7 +27,23 @@ export function statusLine(app: App): HTMLElement {
       else bar.value = job.fraction;
     },
   );
-  return h('footer', { class: 'status' }, notice, busy, legend(app));
+  return h('footer', { class: 'status' }, notice, busy, progressed(app), legend(app));
+}
+
+/** That the surfaces are smoothed ones, in the tasks that do not say so themselves, and the way back. */
+function progressed(app: App): HTMLElement {
+  const steps = h('span', { 'data-readout': 'steps' });
+  const reset = button('Reset', () => void app.reset(), { class: 'quiet', 'data-action': 'reset-quietly' });
+  const element = h('div', { class: 'progressed' }, steps, ' · ', reset);
+  const show = () => {
+    const { a, b } = app.results.get();
+    const step = Math.max(a.step, b.step);
+    element.hidden = step === 0 || app.state.get().task === 'smooth';
+    put(steps, `step ${count(step)}`, step);
+  };
+  app.results.watch((results) => [results.a.step, results.b.step], show);
+  app.state.watch((state) => [state.task], show);
+  return element;
 }
 
 function legend(app: App): HTMLElement {
