@@ -37,11 +37,16 @@ try {
   );
 }
 // Something to read from the start: the row of a vertex in front.
-void ready.then(() => {
-  const { x, y, width, height } = views.a.getBoundingClientRect();
-  const front = viewer?.pick('a', x + 0.5 * width, y + 0.72 * height);
-  if (front !== null && front !== undefined) app.select(front);
-});
+app.results.watch(
+  (results) => [results.mesh],
+  (mesh) => {
+    // After all that is asked about a new mesh in any case.
+    queueMicrotask(() => {
+      const { selected, shown } = app.state.get();
+      if (mesh && app.results.get().mesh === mesh && selected === null) app.select(viewer?.front(shown) ?? 0);
+    });
+  },
+);
 canvas.addEventListener('webglcontextlost', (event) => {
   event.preventDefault();
   tell('The graphics card took the picture away. It comes back by itself as soon as it can.');

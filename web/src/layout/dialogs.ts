@@ -24,7 +24,7 @@ export function helpDialog(): HTMLDialogElement {
       'p',
       {},
       'Each side builds a discrete Laplace operator from the same polygons and counts its negative weights, pair by ordered pair. A negative weight breaks the maximum principle: ',
-      'see it happen in Harmonic, and see what each operator makes of the surface in Smooth. Everything is computed on your machine; nothing is uploaded.',
+      'see it happen in Harmonic, and see what each operator makes of the surface in Smooth. Everything is computed on your machine; nothing is uploaded. Vertices and faces count from 0, lines of a file from 1.',
     ),
     h('dl', { class: 'shortcuts' }, ...shortcuts.flatMap(([keys, what]) => [h('dt', {}, keys), h('dd', {}, what)])),
     h(

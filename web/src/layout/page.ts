@@ -46,7 +46,12 @@ export function page(app: App, root: HTMLElement): Page {
   masthead.append(files.element);
   root.append(
     masthead,
-    h('section', { class: 'task-line', 'aria-label': 'Task and messages' }, tasks.element, errorLine(app)),
+    h(
+      'section',
+      { class: 'task-line', 'aria-label': 'Task and messages' },
+      tasks.element,
+      errorLine(app, () => tasks.element.querySelector<HTMLElement>('[aria-selected=true]')?.focus()),
+    ),
     h(
       'main',
       {},
@@ -103,14 +108,18 @@ function sideSwitch(app: App): HTMLElement {
 }
 
 /** What went wrong; stays until it is dismissed or something succeeds. */
-function errorLine(app: App): HTMLElement {
+function errorLine(app: App, leave: () => void): HTMLElement {
+  const dismiss = () => {
+    app.results.set({ error: null });
+    leave();
+  };
   const title = h('strong', {});
   const text = h('span', {});
   const element = h(
     'div',
     { class: 'error', role: 'alert' },
     h('p', {}, title, ' ', text),
-    button('Dismiss', () => app.results.set({ error: null }), { 'data-action': 'dismiss' }),
+    button('Dismiss', dismiss, { 'data-action': 'dismiss' }),
   );
   app.results.watch(
     (results) => [results.error],

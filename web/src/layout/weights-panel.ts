@@ -106,8 +106,8 @@ export function weightsPanel(app: App): HTMLElement {
     const rows = rowsOf(app, selected);
     if (!mesh || !rows) {
       const { a, b } = app.results.get();
-      const why = [a.matrices, b.matrices].find((matrices) => typeof matrices === 'string');
-      row.replaceChildren(h('p', { class: 'note' }, typeof why === 'string' ? why : ''));
+      const why = [a.matrices, b.matrices].flatMap((own, k) => (typeof own === 'string' ? [`${'AB'[k]}: ${own}`] : []));
+      row.replaceChildren(h('p', { class: 'note' }, why.join(' ')));
       return;
     }
     row.replaceChildren(stencils(app, mesh, selected, rows), rowTable(selected, rows));

@@ -187,6 +187,16 @@ export class Viewer {
     return (best as { vertex: number } | null)?.vertex ?? null;
   }
 
+  /** A vertex that is seen near the middle of a view, rather below it: there the surface faces the eye. */
+  front(side: Side): number | null {
+    const { x, y, width, height } = this.views[side].getBoundingClientRect();
+    for (const down of [0.6, 0.72, 0.5, 0.4, 0.28]) {
+      const vertex = this.pick(side, x + 0.5 * width, y + down * height);
+      if (vertex !== null) return vertex;
+    }
+    return null;
+  }
+
   /** Draws the one pixel in question with face numbers for colours. */
   private faceAt(shown: Shown, box: DOMRect, x: number, y: number): number {
     const { camera } = this.camera;
