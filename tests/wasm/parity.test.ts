@@ -73,11 +73,14 @@ function attempt(work: () => void): string {
   }
 }
 
+const refusals: string[] = [];
+
 /** Compares if both can; otherwise both must have refused for the same reason. */
 function compare(ours: () => void, theirs: () => void, same: () => void) {
   const [mine, native] = [attempt(ours), attempt(theirs)];
-  if (mine === 'done' && native === 'done') same();
-  else expect(native).toContain(mine);
+  if (mine === 'done' && native === 'done') return same();
+  refusals.push(`${expect.getState().currentTestName}: ${mine}`);
+  expect(native).toContain(mine);
 }
 
 it('covers all reference meshes', () => {
@@ -164,4 +167,10 @@ it('has the same operator table', () => {
   expect(polylap.operators().length).toBe(theirs.length);
   // A choice has no range in JavaScript; everything else must be there with the same value.
   for (const [k, ours] of polylap.operators().entries()) expect(theirs[k]).toMatchObject(ours);
+});
+
+it('has compared figures, not refusals, in all cases but those known', () => {
+  expect(refusals).toEqual([
+    "grid-8x8-skew.obj > three smoothing steps with { id: 'planar' } rebuilt: face 56: its projection crosses or touches itself",
+  ]);
 });
