@@ -170,6 +170,46 @@ describe('refusals', () => {
   });
 });
 
+describe('a face of 1000 corners', () => {
+  const count = 1000;
+  const corners = Array.from({ length: count }, (_, k) => {
+    const angle = (2 * Math.PI * k) / count;
+    return `v ${Math.cos(angle)} ${Math.sin(angle)} ${0.05 * Math.cos(3 * angle)}\n`;
+  });
+  const face = Array.from({ length: count }, (_, k) => k + 1).join(' ');
+  const session = polylap.open(`${corners.join('')}f ${face}\n`, 'large.obj');
+  const area = Math.PI;
+
+  it('has its weights counted in full and drawn within bounds', () => {
+    const weights = session.weights(aw());
+    expect(weights.nonzeroOrdered).toBeGreaterThan(0.9 * count * (count - 1));
+    expect(weights.negativeOrdered).toBe(2 * weights.values.length);
+    expect(weights.values.length).toBeGreaterThan(count);
+    expect(weights.segmentPairs.length).toBeGreaterThanOrEqual(400_000);
+    expect(weights.segmentPairs.length).toBeLessThanOrEqual(401_000);
+    expect(Math.max(...new Set(weights.segmentPairs))).toBeLessThan(weights.values.length);
+    expect(weights.segments.every(Number.isFinite)).toBe(true);
+  });
+
+  it.each([aw(), planar])('is smoothed with %o', (spec) => {
+    session.reset();
+    const { step, stats } = session.smooth(spec, { time: 0.01 });
+    expect(step).toBe(1);
+    expect(stats.area).toBeGreaterThan(0.5 * area);
+    expect(stats.area).toBeLessThan(area);
+  });
+
+  it.each([aw(), planar])('carries a harmonic function of %o', (spec) => {
+    session.reset();
+    const { values } = session.harmonic(spec, { vertices: [0, 500], values: [0, 1] });
+    expect([values[0], values[500]]).toEqual([0, 1]);
+    // The polygon is its own mirror image, and so is what is fixed on it.
+    for (let k = 1; k < 500; k += 7) expect(values[k]).toBeCloseTo(values[count - k] as number, 6);
+    expect(values[250]).toBeGreaterThan(0);
+    expect(values[250]).toBeLessThan(1);
+  });
+});
+
 describe('progress', () => {
   const make = () => polylap.make({ shape: 'torus', nu: 8, nv: 6 });
 
