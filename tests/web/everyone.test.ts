@@ -81,6 +81,12 @@ describe('widths', () => {
       const box = await page.getByRole('button', { name }).boundingBox();
       expect(Math.min(box?.height ?? 0, box?.width ?? 0)).toBeGreaterThanOrEqual(name === 'Help' ? 32 : 44);
     }
+    await page.getByRole('tab', { name: 'Smooth' }).tap();
+    const play = await page.getByRole('button', { name: 'Play' }).boundingBox();
+    expect((play?.y ?? Infinity) + (play?.height ?? 0)).toBeLessThan(
+      (await page.locator('[data-view=b]').boundingBox())?.y ?? 0,
+    );
+    await page.getByRole('tab', { name: 'Weights' }).tap();
     // A touch picks.
     const at = await page.evaluate(() => {
       for (let vertex = 0; vertex < 512; vertex++) {

@@ -184,6 +184,8 @@ describe('the focus stays near', () => {
       await pin.click();
       expect(await pin.textContent()).toBe('Unpin');
       expect(await pin.boundingBox()).toEqual(before);
+      // On the line of the field that it is about.
+      expect(Math.abs((before?.y ?? 0) - ((await vertexField().boundingBox())?.y ?? 1000))).toBeLessThan(5);
     }
     const remove = (vertex: number) => page.getByRole('button', { name: `Remove the pin at vertex ${vertex}` });
     await remove(3).focus();

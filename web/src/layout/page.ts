@@ -9,7 +9,7 @@ import { helpDialog, pasteDialog } from './dialogs.js';
 import { harmonicPanel } from './harmonic-panel.js';
 import { header } from './header.js';
 import { intake } from './intake.js';
-import { smoothPanel } from './smooth-panel.js';
+import { smoothPanel, transport } from './smooth-panel.js';
 import { statusLine } from './status.js';
 import { tabs } from './tabs.js';
 import { weightsPanel } from './weights-panel.js';
@@ -41,6 +41,7 @@ export function page(app: App, root: HTMLElement): Page {
     ],
     (task) => app.setTask(task),
   );
+  const narrowTransport = h('div', { class: 'narrow-transport' }, transport(app));
   const stage = h('div', { class: 'stage' }, cards.a.element, cards.b.element, canvas);
   const masthead = header(app, { open: files.pick, paste: () => paste.showModal(), help: () => help.showModal() });
   masthead.append(files.element);
@@ -55,6 +56,7 @@ export function page(app: App, root: HTMLElement): Page {
     h(
       'main',
       {},
+      narrowTransport,
       sideSwitch(app),
       stage,
       h('aside', { class: 'panel', 'aria-label': 'Controls and readouts' }, ...Object.values(panels)),
@@ -65,7 +67,10 @@ export function page(app: App, root: HTMLElement): Page {
   );
   app.state.watch(
     (state) => [state.task],
-    (task) => tasks.show(task),
+    (task) => {
+      tasks.show(task);
+      narrowTransport.hidden = task !== 'smooth';
+    },
   );
   app.state.watch(
     (state) => [state.shown],

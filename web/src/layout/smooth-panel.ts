@@ -7,14 +7,26 @@ import { sideTable } from './table.js';
 
 const [shortest, longest] = [1e-3, 1e2];
 
-/** Implicit smoothing on both sides in step. */
-export function smoothPanel(app: App): HTMLElement {
+/** Play, Step, Reset: in the panel, and above the meshes where the panel is out of sight. */
+export function transport(app: App): HTMLElement {
   const play = button('Play', () => (app.results.get().playing ? app.pause() : void app.play()), {
     class: 'primary',
     'data-action': 'play',
   });
   const step = button('Step', () => void app.step(), { 'data-action': 'step' });
   const reset = button('Reset', () => void app.reset(), { 'data-action': 'reset' });
+  app.results.watch(
+    (results) => [results.playing],
+    (playing) => {
+      play.textContent = playing ? 'Pause' : 'Play';
+      step.disabled = playing;
+    },
+  );
+  return h('div', { class: 'buttons transport' }, play, step, reset);
+}
+
+/** Implicit smoothing on both sides in step. */
+export function smoothPanel(app: App): HTMLElement {
   const setTime = (timeH2: number) => app.setSmooth({ timeH2 });
   const track = slider({
     label: 'Time step, in mean squared edge lengths',
@@ -55,7 +67,7 @@ export function smoothPanel(app: App): HTMLElement {
         { class: 'equation' },
         h('span', {}, '(', h('i', {}, 'M'), ' + ', h('i', {}, 't S'), ') ', h('i', {}, 'x'), '′ = ', h('i', {}, 'M x')),
       ),
-      h('div', { class: 'buttons' }, play, step, reset),
+      transport(app),
       h(
         'div',
         { class: 'parameter' },
@@ -69,13 +81,6 @@ export function smoothPanel(app: App): HTMLElement {
     h('section', {}, h('h2', {}, 'Surfaces'), readouts.element, whyNoVolume),
   );
 
-  app.results.watch(
-    (results) => [results.playing],
-    (playing) => {
-      play.textContent = playing ? 'Pause' : 'Play';
-      step.disabled = playing;
-    },
-  );
   app.state.watch(
     (state) => [state.smooth],
     ({ timeH2, rebuild: each }) => {
