@@ -1,4 +1,5 @@
 import { h } from '../dom.js';
+import { exact } from '../format.js';
 
 let ids = 0;
 export const newId = (stem: string) => `${stem}-${++ids}`;
@@ -26,12 +27,14 @@ export function numberField(options: NumberOptions): {
 } {
   let held: number | null = null;
   const { label, min = -Infinity, integer = false, step } = options;
+  // The slider beside it has the name without the addition.
+  const subject = label.replace(/, value$/, '');
   const max = () => (typeof options.max === 'function' ? options.max() : (options.max ?? Infinity));
   const valid = (value: number) => value >= min && value <= max() && (!integer || Number.isInteger(value));
   const allowed = () => {
     const kind = integer ? 'whole numbers' : 'numbers';
     if (min === -Infinity && max() === Infinity) return kind;
-    return max() === Infinity ? `${kind} from ${min}` : `${kind} from ${min} to ${max()}`;
+    return max() === Infinity ? `${kind} from ${exact(min)}` : `${kind} from ${exact(min)} to ${exact(max())}`;
   };
   const write = (value: number | null) => {
     element.value = value === null ? '' : String(value);
@@ -50,7 +53,7 @@ export function numberField(options: NumberOptions): {
     inputmode: min >= 0 ? (integer ? 'numeric' : 'decimal') : undefined,
     'aria-label': label,
     onpointerenter: () => {
-      element.title = `${label}: ${allowed()}`;
+      element.title = `${subject}: ${allowed()}`;
     },
     oninput: () => {
       const value = parseNumber(element.value);
@@ -62,7 +65,7 @@ export function numberField(options: NumberOptions): {
       const text = element.value.trim();
       if (text === '' && options.onEmpty) options.onEmpty();
       else if (text !== '' && !valid(parseNumber(text)))
-        options.onRefuse(`${label} takes ${allowed()}, not ${text.slice(0, 24)}.`);
+        options.onRefuse(`${subject} takes ${allowed()}, not ${text.slice(0, 24)}.`);
       if (text !== '' || !options.onEmpty) write(held);
     },
     onkeydown: (event: KeyboardEvent) => {
