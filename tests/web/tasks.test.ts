@@ -195,7 +195,7 @@ describe('harmonic interpolation', () => {
     const { page } = at;
     await chooseMesh(page, 'grid-8');
     await page.getByLabel('Values of the boundary').selectOption('corner');
-    await page.getByRole('button', { name: 'Pin the whole boundary' }).click();
+    await page.getByRole('button', { name: 'Pin all of the boundary' }).click();
     await page.waitForFunction(() => {
       const { a, b } = globalThis.polylap.results();
       return a.harmonic !== null && b.harmonic !== null;
@@ -211,7 +211,7 @@ describe('harmonic interpolation', () => {
   it('agrees with the library on x² − y², and reproduces x', async () => {
     const { page } = at;
     await page.getByLabel('Values of the boundary').selectOption('x2-y2');
-    await page.getByRole('button', { name: 'Pin the whole boundary' }).click();
+    await page.getByRole('button', { name: 'Pin all of the boundary' }).click();
     await page.waitForFunction(() => globalThis.polylap.state().harmonic.pins.some(({ value }) => value === -1));
     await settled(page);
     const pins = await page.evaluate(() => globalThis.polylap.state().harmonic.pins);
@@ -226,7 +226,7 @@ describe('harmonic interpolation', () => {
       1e-12,
     );
     await page.getByLabel('Values of the boundary').selectOption('x');
-    await page.getByRole('button', { name: 'Pin the whole boundary' }).click();
+    await page.getByRole('button', { name: 'Pin all of the boundary' }).click();
     await page.waitForFunction(
       () => globalThis.polylap.state().harmonic.pins.filter(({ value }) => value === -1).length === 9,
     );

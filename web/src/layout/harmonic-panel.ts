@@ -35,7 +35,7 @@ export function harmonicPanel(app: App): HTMLElement {
       const { mesh } = app.results.get();
       if (mesh) app.setPins(boundaryPins(mesh, preset.value, app.state.get().harmonic.value));
     },
-    { 'data-action': 'pin-boundary', 'aria-label': 'Pin the whole boundary' },
+    { 'data-action': 'pin-boundary', 'aria-label': 'Pin all of the boundary' },
   );
   const clear = button('Clear', () => clearPins(), { 'data-action': 'clear-pins' });
   const example = button(
