@@ -320,24 +320,35 @@ val parameter_of(const Parameter& parameter) {
 
 val operator_table() {
     return guarded([]() -> Result<val> {
-        const auto name = [](Claim claim) { return std::string(claim_name(claim)); };
         val table = val::array();
         for (const OperatorInfo* info : operators()) {
             val parameters = val::array();
             for (const Parameter& parameter : info->parameters)
                 parameters.call<void>("push", parameter_of(parameter));
-            const PropertyClaims& claims = info->claims;
-            table.call<void>(
-                "push", object(entry("id", std::string(info->id)), entry("label", std::string(info->label)),
-                               entry("summary", std::string(info->summary)),
-                               entry("formulaLatex", std::string(info->formula_latex)),
-                               entry("citation", std::string(info->citation)), entry("parameters", parameters),
-                               entry("claims", object(entry("symmetric", name(claims.symmetric)),
-                                                      entry("positiveSemidefinite", name(claims.positive_semidefinite)),
-                                                      entry("constantsInKernel", name(claims.constants_in_kernel)),
-                                                      entry("linearPrecision", name(claims.linear_precision)),
-                                                      entry("positiveWeights", name(claims.positive_weights))))));
+            val claims = val::object();
+            for (const PropertyInfo& property : properties()) {
+                const PropertyClaim& claim = info->claims.*property.claim;
+                claims.set(property.id, object(entry("where", std::string(claim_name(claim.where))),
+                                               entry("why", std::string(claim.why))));
+            }
+            table.call<void>("push",
+                             object(entry("id", std::string(info->id)), entry("label", std::string(info->label)),
+                                    entry("summary", std::string(info->summary)),
+                                    entry("formulaLatex", std::string(info->formula_latex)),
+                                    entry("citation", std::string(info->citation)), entry("parameters", parameters),
+                                    entry("takesVertexWeights", info->takes_vertex_weights), entry("claims", claims)));
         }
+        return table;
+    });
+}
+
+val property_table() {
+    return guarded([]() -> Result<val> {
+        val table = val::array();
+        for (const PropertyInfo& property : properties())
+            table.call<void>("push",
+                             object(entry("id", std::string(property.id)), entry("label", std::string(property.label)),
+                                    entry("meaning", std::string(property.meaning))));
         return table;
     });
 }
@@ -380,5 +391,6 @@ EMSCRIPTEN_BINDINGS(polylap) {
     function("makeGrid", &make_grid_session);
     function("makeSaddle", &make_saddle_session);
     function("operators", &operator_table);
+    function("properties", &property_table);
     function("errorCodes", &error_codes);
 }

@@ -46,12 +46,14 @@ const mathml = (latex) =>
   temml.renderToString(latex, { displayMode: true, throwOnError: true }).replaceAll(/ style="[^"]*"/g, '');
 
 /** The text of generated.ts for a table and the core's error codes. */
-export function generate(table, errorCodes) {
+export function generate(table, properties, errorCodes) {
   const operators = table.map((info) => ({ ...info, formulaMathml: mathml(info.formulaLatex) }));
   return `// Made from the operator table by wasm/generate.mjs; do not edit.
-import type { OperatorInfo } from './types.js';
+import type { OperatorInfo, PropertyInfo } from './types.js';
 
 export type ErrorCode =${union(errorCodes)};
+
+export type PropertyId =${union(properties.map(({ id }) => id))};
 
 export type OperatorId =${union(table.map(({ id }) => id))};
 
@@ -61,6 +63,9 @@ export type OperatorSpec = ${table.map(({ id }) => `${typeName(id)}Spec`).join('
 
 /** The operator table, in the order of menus. */
 export const operators: readonly OperatorInfo[] = ${literal(operators)};
+
+/** The property table. */
+export const properties: readonly PropertyInfo[] = ${literal(properties)};
 `;
 }
 
@@ -68,7 +73,7 @@ export const operators: readonly OperatorInfo[] = ${literal(operators)};
 export async function generateFromBuild() {
   const { default: createModule } = await import(new URL('polylap.js', build));
   const module = await createModule({ wasmBinary: await readFile(new URL('polylap.wasm', build)) });
-  return generate(module.operators().ok, module.errorCodes().ok);
+  return generate(module.operators().ok, module.properties().ok, module.errorCodes().ok);
 }
 
 if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) await writeFile(target, await generateFromBuild());

@@ -262,7 +262,7 @@ Result<Session::Harmonic> Session::harmonic(Side side, std::span<const Index> ve
         // range, and equal values give exactly that value everywhere.
         const Eigen::Map<const Vector> given(values.data(), static_cast<Eigen::Index>(values.size()));
         const double width = given.maxCoeff() - given.minCoeff();
-        const bool shift = (*find_operator(state.spec.id))->claims.constants_in_kernel == Claim::yes;
+        const bool shift = (*find_operator(state.spec.id))->claims.constants_in_kernel.where == Claim::yes;
         const double base = shift && given.allFinite() && std::isfinite(width) ? given.minCoeff() : 0;
         const auto above = (*problem)->solve(Vector(given.array() - base));
         if (!above) return above.error();

@@ -44,8 +44,9 @@ Result<Outputs> matrix(const std::string& mesh, const OperatorChoice& choice, co
     const auto matrices = session->matrices(side);
     if (!matrices) return in_file(mesh, matrices.error());
     const std::string description = describe(session->spec(side), **info);
-    Outputs outputs{{stiffness_path, matrix_market((*matrices)->stiffness, (*info)->claims.symmetric == Claim::yes,
-                                                   "stiffness: " + description)}};
+    Outputs outputs{
+        {stiffness_path, matrix_market((*matrices)->stiffness, (*info)->claims.symmetric.where == Claim::yes,
+                                       "stiffness: " + description)}};
     if (!mass_path.empty())
         outputs.push_back({mass_path, matrix_market((*matrices)->mass, true, "mass: " + description)});
     return outputs;

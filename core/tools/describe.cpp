@@ -50,9 +50,21 @@ std::string info_text(const ordered_json& facts) {
     return text.str();
 }
 
+const char* kind_name(Parameter::Kind kind) {
+    switch (kind) {
+        case Parameter::Kind::real:
+            return "real";
+        case Parameter::Kind::integer:
+            return "integer";
+        case Parameter::Kind::choice:
+            return "choice";
+    }
+    return "unknown";
+}
+
 ordered_json parameter_json(const Parameter& parameter) {
     const bool choice = parameter.kind == Parameter::Kind::choice;
-    ordered_json json{{"id", parameter.id},     {"label", parameter.label},     {"kind", choice ? "choice" : "real"},
+    ordered_json json{{"id", parameter.id},     {"label", parameter.label},     {"kind", kind_name(parameter.kind)},
                       {"min", parameter.min},   {"max", parameter.max},         {"sliderMax", parameter.slider_max},
                       {"step", parameter.step}, {"initial", parameter.initial}, {"hint", parameter.hint}};
     if (choice) json["choices"] = std::vector<std::string>(parameter.choices.begin(), parameter.choices.end());
@@ -63,18 +75,18 @@ ordered_json operator_json(const OperatorInfo& info) {
     ordered_json parameters = ordered_json::array();
     for (const Parameter& parameter : info.parameters)
         parameters.push_back(parameter_json(parameter));
+    ordered_json claims = ordered_json::object();
+    for (const PropertyInfo& property : properties()) {
+        const PropertyClaim& claim = info.claims.*property.claim;
+        claims[property.id] = {{"where", claim_name(claim.where)}, {"why", claim.why}};
+    }
     return {{"id", info.id},
             {"label", info.label},
             {"formula", info.formula_latex},
             {"citation", info.citation},
             {"summary", info.summary},
             {"parameters", parameters},
-            {"claims",
-             {{"symmetric", claim_name(info.claims.symmetric)},
-              {"positiveSemidefinite", claim_name(info.claims.positive_semidefinite)},
-              {"constantsInKernel", claim_name(info.claims.constants_in_kernel)},
-              {"linearPrecision", claim_name(info.claims.linear_precision)},
-              {"positiveWeights", claim_name(info.claims.positive_weights)}}}};
+            {"claims", claims}};
 }
 
 void append_operator_text(std::ostream& text, const OperatorInfo& info) {
@@ -94,11 +106,10 @@ void append_operator_text(std::ostream& text, const OperatorInfo& info) {
         }
         text << (*parameter.hint != '\0' ? "; " : "") << parameter.hint << '\n';
     }
-    text << "  symmetric: " << claim_name(info.claims.symmetric)
-         << ", positive semidefinite: " << claim_name(info.claims.positive_semidefinite)
-         << ", constants in kernel: " << claim_name(info.claims.constants_in_kernel)
-         << ", linear precision: " << claim_name(info.claims.linear_precision)
-         << ", positive weights: " << claim_name(info.claims.positive_weights) << '\n';
+    for (const PropertyInfo& property : properties()) {
+        const PropertyClaim& claim = info.claims.*property.claim;
+        text << "  " << property.label << ": " << claim_name(claim.where) << ", " << claim.why << '\n';
+    }
 }
 
 }  // namespace

@@ -120,11 +120,10 @@ TEST_F(CommandLine, OperatorsListsTheWholeTable) {
         EXPECT_EQ(row["formula"], info.formula_latex);
         EXPECT_EQ(row["citation"], info.citation);
         EXPECT_EQ(row["summary"], info.summary);
-        EXPECT_EQ(row["claims"]["symmetric"], claim_name(info.claims.symmetric));
-        EXPECT_EQ(row["claims"]["positiveSemidefinite"], claim_name(info.claims.positive_semidefinite));
-        EXPECT_EQ(row["claims"]["constantsInKernel"], claim_name(info.claims.constants_in_kernel));
-        EXPECT_EQ(row["claims"]["linearPrecision"], claim_name(info.claims.linear_precision));
-        EXPECT_EQ(row["claims"]["positiveWeights"], claim_name(info.claims.positive_weights));
+        for (const PropertyInfo& property : properties()) {
+            EXPECT_EQ(row["claims"][property.id]["where"], claim_name((info.claims.*property.claim).where));
+            EXPECT_EQ(row["claims"][property.id]["why"], (info.claims.*property.claim).why);
+        }
         ASSERT_EQ(row["parameters"].size(), info.parameters.size());
         for (std::size_t p = 0; p < info.parameters.size(); ++p) {
             const Parameter& parameter = info.parameters[p];
@@ -167,7 +166,7 @@ TEST_F(CommandLine, MatrixWritesTheLibrarysMatrices) {
         const auto built = build_operator(mesh, {.id = info->id, .values = {}});
         ASSERT_TRUE(built.ok());
         const std::string text = slurp(path("S.mtx"));
-        EXPECT_EQ(text.find(" symmetric\n") != std::string::npos, info->claims.symmetric == Claim::yes);
+        EXPECT_EQ(text.find(" symmetric\n") != std::string::npos, info->claims.symmetric.where == Claim::yes);
         const SparseMatrix stiffness = read_matrix_market(text), mass = read_matrix_market(slurp(path("M.mtx")));
         ASSERT_EQ(stiffness.rows(), mesh.vertex_count());
         ASSERT_EQ(stiffness.cols(), mesh.vertex_count());

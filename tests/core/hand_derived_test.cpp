@@ -178,7 +178,7 @@ TEST(HandDerived, AlexaWardetzkyOnRegularPolygons) {
 TEST(HandDerived, LumpedMass) {
     const auto mesh =
         make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {7, 7, 7}}, {{0, 1, 2, 3}, {1, 4, 2}});
-    const SparseMatrix m = get(mass_matrix(mesh));
+    const SparseMatrix m = get(lumped_mass(mesh));
     Vector expected(6);
     expected << 1.0 / 4, 1.0 / 4 + 1.0 / 6, 1.0 / 4 + 1.0 / 6, 1.0 / 4, 1.0 / 6, 0;
     expect_equal(Matrix(m), expected.asDiagonal());

@@ -18,11 +18,11 @@ function describe(parameter) {
 /** The table of operators with their parameters (defaults in bold) and claims, and where each comes from. */
 export function operatorMarkdown(table) {
   const row = (cells) => `| ${cells.join(' | ')} |\n`;
+  const claimed = ['symmetric', 'positiveSemidefinite', 'constantsInKernel', 'linearPrecision', 'positiveWeights'];
   const head = ['Operator', 'Parameters', 'Symmetric', 'PSD', 'S 1 = 0', 'Linear precision', 'Weights ≥ 0'];
   const rows = table.map(({ id, label, parameters, claims }) => {
-    const held = ['symmetric', 'positiveSemidefinite', 'constantsInKernel', 'linearPrecision', 'positiveWeights'];
     const names = parameters.map(describe).join('<br>') || '–';
-    return row([`${label}<br>\`${id}\``, names, ...held.map((claim) => claimWords[claims[claim]])]);
+    return row([`${label}<br>\`${id}\``, names, ...claimed.map((claim) => claimWords[claims[claim].where])]);
   });
   const sources = table.map(({ label, summary, citation }) => `- **${label}.** ${summary} ${citation}.\n`);
   return `\n${row(head)}${row(head.map(() => '---'))}${rows.join('')}\n${sources.join('')}\n`;

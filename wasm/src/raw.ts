@@ -1,5 +1,5 @@
 /** The module that Emscripten makes of bindings.cpp, as it is. Everything else goes through session.ts. */
-import type { Geometry, Harmonic, Matrices, MeshInfo, OperatorInfo, Shape, Smoothed, Weights } from './types.js';
+import type { Geometry, Harmonic, Matrices, MeshInfo, OperatorInfo, PropertyInfo, Shape, Smoothed, Weights } from './types.js';
 
 export interface RawError {
   code: string;
@@ -44,6 +44,7 @@ export interface RawModule {
   makeGrid(nx: number, ny: number, width: number, height: number, noise: number, seed: number): Reply<RawSession>;
   makeSaddle(n: number, height: number, noise: number, seed: number): Reply<RawSession>;
   operators(): Reply<Omit<OperatorInfo, 'formulaMathml'>[]>;
+  properties(): Reply<PropertyInfo[]>;
   errorCodes(): Reply<string[]>;
 }
 

@@ -1,8 +1,21 @@
 /** What crosses between the page, the worker and the core. Vertices and faces count from 0. */
-import type { OperatorId, OperatorSpec } from './generated.js';
+import type { ConversionSpec, OperatorId, OperatorSpec, PropertyId, ShapeSpec } from './generated.js';
 
 /** Where a property holds: everywhere, on meshes of planar faces, on triangle meshes, or nowhere in general. */
 export type Claim = 'yes' | 'planar' | 'triangles' | 'no';
+
+/** What an operator claims of a property, and why. */
+export interface PropertyClaim {
+  readonly where: Claim;
+  readonly why: string;
+}
+
+/** One line of the property table. */
+export interface PropertyInfo {
+  readonly id: PropertyId;
+  readonly label: string;
+  readonly meaning: string;
+}
 
 interface ParameterBase {
   readonly id: string;
@@ -23,13 +36,18 @@ export interface RealParameter extends ParameterBase {
   readonly initial: number;
 }
 
+/** As a real one, but whole numbers only. */
+export interface IntegerParameter extends Omit<RealParameter, 'kind'> {
+  readonly kind: 'integer';
+}
+
 export interface ChoiceParameter extends ParameterBase {
   readonly kind: 'choice';
   readonly choices: readonly string[];
   readonly initial: string;
 }
 
-export type Parameter = RealParameter | ChoiceParameter;
+export type Parameter = RealParameter | IntegerParameter | ChoiceParameter;
 
 /** One line of the operator table. */
 export interface OperatorInfo {
@@ -41,14 +59,10 @@ export interface OperatorInfo {
   readonly formulaMathml: string;
   readonly citation: string;
   readonly parameters: readonly Parameter[];
+  /** Whether a spec may have `vertexWeights`. */
+  readonly takesVertexWeights: boolean;
   /** Wardetzky et al. 2007, "Discrete Laplace operators: no free lunch". */
-  readonly claims: {
-    readonly symmetric: Claim;
-    readonly positiveSemidefinite: Claim;
-    readonly constantsInKernel: Claim;
-    readonly linearPrecision: Claim;
-    readonly positiveWeights: Claim;
-  };
+  readonly claims: Readonly<Record<PropertyId, PropertyClaim>>;
 }
 
 /** A mesh has two surfaces that smoothing moves apart; weights and harmonic functions look at one of them. */
@@ -73,6 +87,9 @@ export interface MeshInfo {
   /** Vertices on an edge with one face, ascending. */
   boundary: Int32Array;
   issues: MeshIssue[];
+  /** What reading the file did to its data. */
+  notes: string[];
+  repairs: Repairs;
 }
 
 /** What a viewer needs once per mesh. */
@@ -168,11 +185,125 @@ export interface Matrices {
   mass: SparseMatrix;
 }
 
-/** Meshes made in code. `noise` moves vertices along their normals, in mean edge lengths (default 0); `seed` (default 1) chooses which noise. */
-export type ShapeSpec =
-  | { shape: 'torus'; nu: number; nv: number; major?: number; minor?: number; noise?: number; seed?: number }
-  | { shape: 'grid'; nx: number; ny: number; width?: number; height?: number; noise?: number; seed?: number }
-  | { shape: 'saddle'; n: number; height?: number; noise?: number; seed?: number };
+/** One line of the shape table or of the conversion table. */
+export interface MakerInfo {
+  readonly id: string;
+  readonly label: string;
+  readonly summary: string;
+  readonly parameters: readonly Parameter[];
+}
+
+/** A property measured on a mesh. */
+export interface Measurement {
+  property: PropertyId;
+  verdict: 'holds' | 'fails' | 'not-measured';
+  /** The violation; 0 where it holds exactly. */
+  value: number;
+  /** For people. */
+  text: string;
+  /** The offending vertex or pair; empty if there is none. */
+  vertices: number[];
+}
+
+/** What `check` finds: the properties in the order of the table (but for convergence), eigenvalues, kernel, condition. */
+export interface Check {
+  measurements: Measurement[];
+  negativeOrdered: number;
+  negativePairs: number;
+  /** Of (S + Sᵀ)/2. */
+  smallestEigenvalue: number;
+  largestEigenvalue: number;
+  /** Connected parts of the mesh. */
+  components: number;
+  kernelDimension: number;
+  /** Whether the kernel may be larger than what was looked for. */
+  kernelComplete: boolean;
+  /** kernelDimension arrays of V values. */
+  kernelModes: Float64Array[];
+  /** Largest over smallest nonzero |eigenvalue|; Infinity if none is known. */
+  condition: number;
+  smallestMass: number;
+  smallestMassVertex: number;
+}
+
+export interface DualOptions {
+  /** 0 (default): exactly orthogonal, nearest to the barycentres; above: the compromise with this weight. */
+  mu?: number;
+}
+
+/** The orthogonal dual (Herholz 2012, section 4.1). */
+export interface Dual {
+  /** 3F, relative to the origin: for the GPU. */
+  positions: Float32Array;
+  /** 3F, as they are. */
+  coordinates: Float64Array;
+  /** 2E vertices, 2E faces (-1: none), per edge of the mesh. */
+  edgeVertices: Int32Array;
+  edgeFaces: Int32Array;
+  /** 3E points where dual edges cross, relative to the origin. */
+  edgePoints: Float32Array;
+  /** 2E signed distances of both dual vertices from the edge, length. */
+  lengths: Float64Array;
+  /** E weights w_ij. */
+  weights: Float64Array;
+  constraints: number;
+  rank: number;
+  nullSpace: number;
+  /** Largest |⟨v_k - v_l, e⟩| over the largest |e|². */
+  residual: number;
+  worstEdge: number;
+  /** Largest |v_k - b_k| / √|a_k|. */
+  largestShift: number;
+  worstFace: number;
+  usable: boolean;
+}
+
+export interface ConvergenceLevel {
+  vertices: number;
+  h: number;
+  error: number;
+  /** NaN at the first level. */
+  order: number;
+}
+
+export interface ConvergenceStudy {
+  family: string;
+  problem: string;
+  levels: ConvergenceLevel[];
+  order: number;
+  converges: boolean;
+  /** Why there are no more levels, or empty. */
+  failure: string;
+}
+
+/** One kind of change that repair made. Elements are numbers of the file. */
+export interface RepairChange {
+  kind:
+    | 'merged-vertices'
+    | 'repeated-corners'
+    | 'degenerate-faces'
+    | 'duplicate-faces'
+    | 'turned-faces'
+    | 'dropped-vertices';
+  elements: Int32Array;
+  message: string;
+}
+
+export interface Repairs {
+  changes: RepairChange[];
+  /** The vertex (face) of the file that each vertex (face) was; empty without repair. */
+  originalVertices: Int32Array;
+  originalFaces: Int32Array;
+}
+
+export interface OpenOptions {
+  /** Repair what can be. */
+  repair?: boolean;
+  /** Vertices closer than this multiple of the bounding box's diagonal become one; default 0: only equal ones. */
+  mergeDistance?: number;
+}
+
+export type MeshFormat = 'obj' | 'off' | 'ply' | 'stl';
 
 export interface RunOptions {
   side?: Side;
@@ -195,8 +326,14 @@ export interface Mesh extends MeshInfo {
   smooth(spec: OperatorSpec, options: SmoothOptions, run?: SmoothRunOptions): Promise<Smoothed>;
   harmonic(spec: OperatorSpec, fixed: FixedValues, run?: RunOptions): Promise<Harmonic>;
   matrices(spec: OperatorSpec, run?: RunOptions): Promise<Matrices>;
-  /** The side's surface as OBJ text, 17 digits. */
-  obj(run?: RunOptions): Promise<string>;
+  /** The properties of an operator on the side's surface. */
+  check(spec: OperatorSpec, run?: RunOptions): Promise<Check>;
+  /** The orthogonal dual of the side's surface. */
+  dual(options?: DualOptions, run?: RunOptions): Promise<Dual>;
+  /** The side's surface as a file; text but for STL. */
+  file(format: MeshFormat, run?: RunOptions): Promise<Uint8Array>;
+  /** A new mesh made of the side's surface. */
+  convert(conversion: ConversionSpec, run?: RunOptions): Promise<Mesh>;
   /** Back to the loaded mesh; both sides if none is named. */
   reset(side?: Side): Promise<void>;
   close(): Promise<void>;
@@ -204,8 +341,14 @@ export interface Mesh extends MeshInfo {
 
 export interface Client {
   /** @throws PolylapError; the meshes opened before stay as they are */
-  open(bytes: Uint8Array | ArrayBuffer | Blob | string, name: string, run?: RunOptions): Promise<Mesh>;
+  open(
+    bytes: Uint8Array | ArrayBuffer | Blob | string,
+    name: string,
+    run?: Omit<RunOptions, 'side'> & OpenOptions,
+  ): Promise<Mesh>;
   make(shape: ShapeSpec): Promise<Mesh>;
+  /** A study on meshes of its own: does the operator converge under refinement? */
+  convergence(spec: OperatorSpec, run?: Omit<RunOptions, 'side'>): Promise<ConvergenceStudy[]>;
   /** Called when the worker died or was ended to cancel, and has been started again with all meshes as they were. */
   onRestart?: (reason: string) => void;
   close(): void;

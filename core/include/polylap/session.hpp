@@ -10,7 +10,10 @@
 
 #include "polylap/apply/diagnostics.hpp"
 #include "polylap/apply/display.hpp"
+#include "polylap/apply/properties.hpp"
+#include "polylap/mesh/repair.hpp"
 #include "polylap/mesh/topology.hpp"
+#include "polylap/operators/dual_vertices.hpp"
 #include "polylap/operators/operator.hpp"
 
 namespace polylap {
@@ -24,9 +27,15 @@ class Session {
 public:
     enum class Side : std::uint8_t { a, b };
 
-    /// Reads a mesh file; the format follows from the ending of `name` (.obj).
-    /// @error bad_argument (unknown ending), parse_error (line), out_of_memory, cancelled
+    struct OpenOptions {
+        bool repair = false;  ///< Repair what can be, see repair.hpp; what was changed is in repairs().
+        RepairOptions repair_options = {};
+    };
+    /// Reads a mesh file; the format follows from the ending of `name`, see format_of.
+    /// @error bad_argument (unknown ending), parse_error (line), bad_mesh, out_of_memory, cancelled
     static Result<Session> open(std::span<const std::byte> bytes, std::string_view name, Monitor monitor = {});
+    static Result<Session> open(std::span<const std::byte> bytes, std::string_view name, const OpenOptions& options,
+                                Monitor monitor = {});
     static Result<Session> from_mesh(PolygonMesh mesh);
 
     Session(Session&&) noexcept;
@@ -37,6 +46,15 @@ public:
     const PolygonMesh& mesh() const noexcept;
     const Topology& topology() const noexcept;
     const DisplayTriangles& display() const noexcept;
+
+    /// What repair changed when the mesh was opened, and the file's numbers of its vertices and faces; empty without.
+    struct Repairs {
+        std::vector<RepairChange> changes;
+        std::vector<Index> original_vertices, original_faces;
+    };
+    const Repairs& repairs() const noexcept;
+    /// What reading a file did to its data (see RawMesh::notes).
+    const std::vector<std::string>& notes() const noexcept;
 
     /// Centre of the loaded mesh's bounding box: float outputs are relative to it, so that meshes far from 0 keep their
     /// digits.
@@ -100,6 +118,14 @@ public:
     /// not_positive_definite (element = vertex), …
     Result<Harmonic> harmonic(Side side, std::span<const Index> vertices, std::span<const double> values,
                               Monitor monitor = {});
+
+    /// The properties of the side's operator on its surface; valid until the next call.
+    /// @error see build_operator
+    Result<const PropertyReport*> check(Side side, Monitor monitor = {});
+
+    /// The orthogonal dual of the side's surface.
+    /// @error see orthogonal_dual
+    Result<OrthogonalDual> dual(Side side, DualOptions options = {}, Monitor monitor = {});
 
     /// Back to the loaded mesh.
     void reset(Side side);

@@ -107,14 +107,17 @@ constinit const OperatorInfo alexa_wardetzky_info{
         "Herholz 2012, eq. 4.29",
     .summary = "Edge vectors against the vector area of each face, stabilised by λ where they see nothing.",
     .parameters = parameters,
-    .claims = {.symmetric = Claim::yes,
-               .positive_semidefinite = Claim::yes,
-               .constants_in_kernel = Claim::yes,
-               .linear_precision = Claim::yes,
-               .positive_weights = Claim::no},
+    .claims = {.symmetric = {Claim::yes, "a sum of symmetric matrices of faces"},
+               .local = {Claim::yes, "a sum over faces"},
+               .positive_weights = {Claim::no, "λ > ½ makes every diagonal of a square negative"},
+               .positive_semidefinite = {Claim::yes, "a sum of squares; λ = 0 has more in its kernel than constants"},
+               .constants_in_kernel = {Claim::yes, "only differences along edges enter"},
+               .linear_precision = {Claim::yes, "on planar faces S x is the gradient of the area"},
+               .maximum_principle = {Claim::no, "negative weights let values overshoot"},
+               .convergent = {Claim::yes, "consistent on linear functions, stabilised by λ > 0"}},
     .build =
-        [](const PolygonMesh& mesh, std::span<const double> values, Mass mass, Monitor monitor) {
-            return with_mass(mesh, alexa_wardetzky_stiffness(mesh, {.lambda = values[0]}, monitor), mass);
+        [](const PolygonMesh& mesh, const OperatorSpec& spec, Monitor monitor) {
+            return with_lumped_mass(mesh, alexa_wardetzky_stiffness(mesh, {.lambda = spec.values[0]}, monitor));
         },
 };
 

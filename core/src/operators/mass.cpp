@@ -3,38 +3,27 @@
 #include "polylap/face/vector_area.hpp"
 
 namespace polylap {
-namespace {
 
-Vector lumped_mass(const PolygonMesh& mesh) {
-    Vector mass = Vector::Zero(mesh.vertex_count());
-    std::vector<Vector3> corners;
-    for (Index f = 0; f < mesh.face_count(); ++f) {
-        gather_corners(mesh, f, corners);
-        const double share = vector_area(corners).stableNorm() / static_cast<double>(corners.size());
-        for (const Index v : mesh.face(f)) {
-            mass[v] += share;
-        }
-    }
-    return mass;
-}
-
-}  // namespace
-
-Result<SparseMatrix> mass_matrix(const PolygonMesh& mesh, Mass mass) {
+Result<SparseMatrix> lumped_mass(const PolygonMesh& mesh) {
     return guard_memory([&]() -> Result<SparseMatrix> {
-        switch (mass) {
-            case Mass::lumped:
-                return SparseMatrix(lumped_mass(mesh).asDiagonal());
+        Vector mass = Vector::Zero(mesh.vertex_count());
+        std::vector<Vector3> corners;
+        for (Index f = 0; f < mesh.face_count(); ++f) {
+            gather_corners(mesh, f, corners);
+            const double share = vector_area(corners).stableNorm() / static_cast<double>(corners.size());
+            for (const Index v : mesh.face(f)) {
+                mass[v] += share;
+            }
         }
-        return Error{ErrorCode::bad_argument, "unknown mass"};
+        return SparseMatrix(mass.asDiagonal());
     });
 }
 
-Result<OperatorMatrices> with_mass(const PolygonMesh& mesh, Result<SparseMatrix> stiffness, Mass mass) {
+Result<OperatorMatrices> with_lumped_mass(const PolygonMesh& mesh, Result<SparseMatrix> stiffness) {
     if (!stiffness) return stiffness.error();
-    auto m = mass_matrix(mesh, mass);
-    if (!m) return m.error();
-    return OperatorMatrices{*std::move(stiffness), *std::move(m)};
+    auto mass = lumped_mass(mesh);
+    if (!mass) return mass.error();
+    return OperatorMatrices{*std::move(stiffness), *std::move(mass)};
 }
 
 }  // namespace polylap

@@ -48,18 +48,7 @@ private:
 /// In the order of TriangulationRule.
 constexpr std::array rules{"delaunay", "min-max-angle", "shortest-diagonal", "fan"};
 
-constexpr std::array<Parameter, 1> parameters{{
-    {.id = "rule",
-     .label = "rule",
-     .kind = Parameter::Kind::choice,
-     .min = 0,
-     .max = rules.size() - 1.0,
-     .slider_max = rules.size() - 1.0,
-     .step = 1,
-     .initial = 0,
-     .choices = rules,
-     .hint = "how the projected face is triangulated"},
-}};
+constexpr std::array parameters{choice_parameter("rule", "rule", rules, "how the projected face is triangulated")};
 
 }  // namespace
 
@@ -78,15 +67,18 @@ constinit const OperatorInfo planar_info{
         "Each face is projected along its vector area and triangulated there; the cotangents of its triangles are "
         "summed.",
     .parameters = parameters,
-    .claims = {.symmetric = Claim::yes,
-               .positive_semidefinite = Claim::yes,
-               .constants_in_kernel = Claim::yes,
-               .linear_precision = Claim::yes,
-               .positive_weights = Claim::no},
+    .claims = {.symmetric = {Claim::yes, "cotangents weigh both directions of an edge alike"},
+               .local = {Claim::yes, "a sum over faces"},
+               .positive_weights = {Claim::no, "two angles opposite an edge can exceed 180° in sum"},
+               .positive_semidefinite = {Claim::yes, "each triangle adds a Dirichlet energy"},
+               .constants_in_kernel = {Claim::yes, "only differences along edges enter"},
+               .linear_precision = {Claim::yes, "planar faces are projected onto themselves"},
+               .maximum_principle = {Claim::no, "a negative weight lets values overshoot"},
+               .convergent = {Claim::yes, "linear finite elements on the projected triangles"}},
     .build =
-        [](const PolygonMesh& mesh, std::span<const double> values, Mass mass, Monitor monitor) {
-            const PlanarOptions options{static_cast<TriangulationRule>(static_cast<int>(values[0]))};
-            return with_mass(mesh, planar_stiffness(mesh, options, monitor), mass);
+        [](const PolygonMesh& mesh, const OperatorSpec& spec, Monitor monitor) {
+            const PlanarOptions options{static_cast<TriangulationRule>(static_cast<int>(spec.values[0]))};
+            return with_lumped_mass(mesh, planar_stiffness(mesh, options, monitor));
         },
 };
 

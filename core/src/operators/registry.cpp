@@ -1,8 +1,5 @@
-#include <algorithm>
 #include <array>
 #include <cmath>
-
-#include <fast_float/fast_float.h>
 
 #include "polylap/operators/alexa_wardetzky.hpp"
 #include "polylap/operators/planar.hpp"
@@ -18,45 +15,44 @@ std::span<const OperatorInfo* const> operators() noexcept {
     return table;
 }
 
+std::span<const PropertyInfo> properties() noexcept {
+    static constexpr std::array table{
+        PropertyInfo{"symmetric", "Symmetric", "S = Sᵀ: as much weight from i to j as back.",
+                     &PropertyClaims::symmetric},
+        PropertyInfo{"local", "Local", "Weights only between vertices that share a face.", &PropertyClaims::local},
+        PropertyInfo{"positiveWeights", "Weights ≥ 0", "No weight off the diagonal is negative.",
+                     &PropertyClaims::positive_weights},
+        PropertyInfo{"positiveSemidefinite", "PSD", "No function has negative Dirichlet energy.",
+                     &PropertyClaims::positive_semidefinite},
+        PropertyInfo{"constantsInKernel", "S 1 = 0", "Constant functions have no Laplacian.",
+                     &PropertyClaims::constants_in_kernel},
+        PropertyInfo{"linearPrecision", "Linear precision",
+                     "Linear functions have no Laplacian at inner vertices whose surroundings lie in one plane.",
+                     &PropertyClaims::linear_precision},
+        PropertyInfo{"maximumPrinciple", "Maximum principle",
+                     "Harmonic functions stay within the range of their boundary values.",
+                     &PropertyClaims::maximum_principle},
+        PropertyInfo{"convergent", "Convergent", "Solutions approach the smooth ones under refinement.",
+                     &PropertyClaims::convergent},
+    };
+    return table;
+}
+
 namespace {
 
 std::string quoted(std::string_view text) {
     return "'" + std::string(text) + "'";
 }
 
-/// Shortest text of a bound or step of the table, which are all short decimals.
-std::string number_text(double x) {
-    std::string text = std::to_string(x);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (!text.empty() && (text.back() == '.' || text.back() == ',')) text.pop_back();
-    return text;
+/// Only what holds on every mesh can be relied on.
+Structure structure_of(const PropertyClaims& claims) {
+    if (claims.symmetric.where != Claim::yes) return Structure::general;
+    if (claims.positive_semidefinite.where != Claim::yes) return Structure::symmetric;
+    return Structure::positive_semidefinite;
 }
 
-Result<double> parse_value(const Parameter& parameter, const std::string& text) {
-    if (parameter.kind == Parameter::Kind::choice) {
-        const auto at = std::find(parameter.choices.begin(), parameter.choices.end(), std::string_view(text));
-        if (at != parameter.choices.end()) return static_cast<double>(at - parameter.choices.begin());
-        std::string message = std::string(parameter.id) + " must be one of";
-        for (const char* choice : parameter.choices) {
-            message += std::string(choice == parameter.choices.front() ? " " : ", ") + choice;
-        }
-        return Error{ErrorCode::bad_argument, message + ", not " + quoted(text)};
-    }
-    double value = 0;
-    const char* end = text.data() + text.size();
-    const auto parsed = fast_float::from_chars(text.data(), end, value);
-    if (parsed.ec != std::errc() || parsed.ptr != end || !std::isfinite(value)) {
-        return Error{ErrorCode::bad_argument, std::string(parameter.id) + " must be a number, not " + quoted(text)};
-    }
-    return value;
-}
-
-Status check_range(const Parameter& parameter, double value) {
-    const bool real = parameter.kind == Parameter::Kind::real;
-    if (value >= parameter.min && value <= parameter.max && (real || value == std::floor(value))) return Done{};
-    return Error{ErrorCode::parameter_out_of_range,
-                 std::string(parameter.id) + (real ? " must lie between " : " must be a whole number between ") +
-                     number_text(parameter.min) + " and " + number_text(parameter.max)};
+std::string owner_of(const OperatorInfo& info) {
+    return "operator " + quoted(info.id);
 }
 
 }  // namespace
@@ -86,26 +82,13 @@ Result<const OperatorInfo*> find_operator(std::string_view id) {
     });
 }
 
-Result<OperatorSpec> make_spec(std::string_view id, std::span<const std::pair<std::string, std::string>> settings) {
+Result<OperatorSpec> make_spec(std::string_view id, Settings settings) {
     return guard_memory([&]() -> Result<OperatorSpec> {
         const auto info = find_operator(id);
         if (!info) return info.error();
-        const auto parameters = (*info)->parameters;
-        OperatorSpec spec{.id = std::string(id), .values = {}};
-        for (const Parameter& p : parameters) {
-            spec.values.push_back(p.initial);
-        }
-        for (const auto& [name, text] : settings) {
-            const auto at = std::find_if(parameters.begin(), parameters.end(),
-                                         [&n = name](const Parameter& p) { return n == p.id; });
-            if (at == parameters.end()) {
-                return Error{ErrorCode::bad_argument, "operator " + quoted(id) + " has no parameter " + quoted(name)};
-            }
-            const auto value = parse_value(*at, text);
-            if (!value) return value.error();
-            spec.values[static_cast<std::size_t>(at - parameters.begin())] = *value;
-        }
-        return complete_spec(std::move(spec));
+        auto values = parse_settings(owner_of(**info), (*info)->parameters, settings);
+        if (!values) return values.error();
+        return OperatorSpec{.id = std::string(id), .values = *std::move(values)};
     });
 }
 
@@ -113,15 +96,16 @@ Result<OperatorSpec> complete_spec(OperatorSpec spec) {
     return guard_memory([&]() -> Result<OperatorSpec> {
         const auto info = find_operator(spec.id);
         if (!info) return info.error();
-        const auto parameters = (*info)->parameters;
-        if (spec.values.size() > parameters.size()) {
-            return Error{ErrorCode::bad_argument, "operator " + quoted(spec.id) + " has " +
-                                                      std::to_string(parameters.size()) + " parameters, but " +
-                                                      std::to_string(spec.values.size()) + " values were given"};
+        auto values = complete_values(owner_of(**info), (*info)->parameters, std::move(spec.values));
+        if (!values) return values.error();
+        spec.values = *std::move(values);
+        if (!spec.vertex_weights.empty() && !(*info)->takes_vertex_weights) {
+            return Error{ErrorCode::bad_argument, owner_of(**info) + " takes no vertex weights"};
         }
-        for (std::size_t k = 0; k < parameters.size(); ++k) {
-            if (k == spec.values.size()) spec.values.push_back(parameters[k].initial);
-            if (auto status = check_range(parameters[k], spec.values[k]); !status) return status.error();
+        for (std::size_t v = 0; v < spec.vertex_weights.size(); ++v) {
+            if (std::isfinite(spec.vertex_weights[v])) continue;
+            return Error{ErrorCode::bad_argument, "the weight of vertex " + std::to_string(v) + " is not finite",
+                         static_cast<std::int64_t>(v)};
         }
         return spec;
     });
@@ -131,7 +115,16 @@ Result<OperatorMatrices> build_operator(const PolygonMesh& mesh, const OperatorS
     return guard_memory([&]() -> Result<OperatorMatrices> {
         const auto complete = complete_spec(spec);
         if (!complete) return complete.error();
-        return (*find_operator(complete->id))->build(mesh, complete->values, complete->mass, monitor);
+        const std::size_t weights = complete->vertex_weights.size();
+        if (weights > 0 && weights != static_cast<std::size_t>(mesh.vertex_count())) {
+            return Error{ErrorCode::bad_argument, "there are " + std::to_string(mesh.vertex_count()) +
+                                                      " vertices, but " + std::to_string(weights) +
+                                                      " vertex weights were given"};
+        }
+        const OperatorInfo& info = **find_operator(complete->id);
+        auto matrices = info.build(mesh, *complete, monitor);
+        if (matrices) matrices->structure = structure_of(info.claims);
+        return matrices;
     });
 }
 

@@ -3,11 +3,45 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "polylap/base/monitor.hpp"
 #include "polylap/mesh/polygon_mesh.hpp"
 
 namespace polylap {
+
+enum class MeshFormat : std::uint8_t { obj, off, ply, stl };
+
+/// The format that a file's name says by its ending (.obj, .off, .ply, .stl, in any case).
+/// @error bad_argument (the message lists the endings)
+Result<MeshFormat> format_of(std::string_view name);
+
+/// What a file gave before anything was checked beyond its own syntax: faces may be too small, have repeated corners,
+/// and vertices may coincide. What repair starts from.
+struct RawMesh {
+    Points positions;            ///< V×3, finite
+    std::vector<Index> offsets;  ///< F+1
+    std::vector<Index> corners;  ///< In [0, V).
+    /// One clause for people on what reading did to the data, e.g. how many triangle corners of an STL were welded.
+    std::vector<std::string> notes;
+};
+
+/// Reads the syntax of a file. A face with fewer than three or with repeated corners passes here.
+/// @error parse_error (line, or byte in the message for binary files), out_of_memory, cancelled
+Result<RawMesh> read_raw(std::span<const std::byte> bytes, MeshFormat format, Monitor monitor = {});
+
+/// Reads a mesh file. As strict for each format as read_obj is for its own: every error names the line (or the byte),
+/// the vertex or the face.
+/// OFF: ASCII with or without counts of edges, colours, normals (NOFF, COFF, STOFF …), comments; `OFF BINARY`
+/// (little-endian int32/float32 as pmp-library writes it, or big-endian). PLY: ascii, binary_little_endian,
+/// binary_big_endian; other properties and elements skipped. STL: ascii and binary; equal positions are welded.
+/// @error parse_error, bad_mesh, out_of_memory, cancelled
+Result<PolygonMesh> read_mesh(std::span<const std::byte> bytes, MeshFormat format, Monitor monitor = {});
+
+/// Writes a mesh: OBJ, ASCII OFF and ASCII PLY with 17 significant digits; binary STL.
+/// @error bad_argument (STL: face with more than three corners; element = face), out_of_memory
+Result<std::string> write_mesh(const PolygonMesh& mesh, MeshFormat format);
 
 /// Reads a Wavefront OBJ file from memory, faces of any size.
 ///

@@ -3,57 +3,66 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "polylap/base/monitor.hpp"
+#include "polylap/base/parameter.hpp"
 #include "polylap/mesh/polygon_mesh.hpp"
+#include "polylap/solve/structure.hpp"
 
 namespace polylap {
-
-/// One parameter of an operator. A choice has the values 0, 1, … in the order of `choices`.
-struct Parameter {
-    enum class Kind : std::uint8_t { real, choice };
-    const char* id;
-    const char* label;  ///< What the page shows, e.g. "λ".
-    Kind kind;
-    double min, max;    ///< What is allowed.
-    double slider_max;  ///< Where a slider ends (it starts at min): the span worth exploring.
-    double step;
-    double initial;
-    std::span<const char* const> choices = {};
-    const char* hint = "";  ///< One short sentence beside the control.
-};
 
 /// Where a property holds: everywhere, on meshes whose faces are planar, on triangle meshes, or nowhere in general.
 enum class Claim : std::uint8_t { yes, planar, triangles, no };
 std::string_view claim_name(Claim claim) noexcept;
 
-/// The properties of Wardetzky et al. 2007, "Discrete Laplace operators: no free lunch", as an operator claims them.
-struct PropertyClaims {
-    Claim symmetric;
-    Claim positive_semidefinite;
-    Claim constants_in_kernel;  ///< S 1 = 0
-    Claim linear_precision;     ///< (S x)ᵢ = 0 at inner vertices whose surroundings lie in one plane.
-    Claim positive_weights;     ///< w_ij = -S_ij ≥ 0
+/// What an operator claims of a property, and why: one clause for people.
+struct PropertyClaim {
+    Claim where;
+    const char* why;
 };
 
-/// Diagonal masses: each face gives each of its n corners |a| / n.
-enum class Mass : std::uint8_t { lumped };
+/// The properties of Wardetzky et al. 2007, "Discrete Laplace operators: no free lunch", as an operator claims them for
+/// all values of its parameters.
+struct PropertyClaims {
+    PropertyClaim symmetric;              ///< S = Sᵀ
+    PropertyClaim local;                  ///< S_ij ≠ 0 only where i and j share a face.
+    PropertyClaim positive_weights;       ///< w_ij = -S_ij ≥ 0
+    PropertyClaim positive_semidefinite;  ///< uᵀ S u ≥ 0
+    PropertyClaim constants_in_kernel;    ///< S 1 = 0
+    PropertyClaim linear_precision;       ///< (S x)ᵢ = 0 at inner vertices whose surroundings lie in one plane.
+    PropertyClaim maximum_principle;      ///< Harmonic functions stay within the range of their boundary values.
+    PropertyClaim convergent;             ///< Solutions approach the smooth ones under refinement.
+};
+
+/// One line of the property table.
+struct PropertyInfo {
+    const char* id;       ///< Camel case, as in JSON and JavaScript, e.g. "positiveWeights".
+    const char* label;    ///< E.g. "Weights ≥ 0".
+    const char* meaning;  ///< One sentence.
+    PropertyClaim PropertyClaims::*claim;
+};
+
+/// The property table, in the order of PropertyClaims.
+std::span<const PropertyInfo> properties() noexcept;
 
 /// Which operator, with which parameters.
 struct OperatorSpec {
     std::string id;
     std::vector<double> values;  ///< One per parameter of the table; missing ones take their initial value.
-    Mass mass = Mass::lumped;
+    /// ω, V values, length²; empty: all 0. Only for operators that take them.
+    std::vector<double> vertex_weights = {};
 
     friend bool operator==(const OperatorSpec&, const OperatorSpec&) = default;
 };
 
-/// S: V×V, (S u)ᵢ = Σ w_ij (uᵢ - uⱼ), unitless. M: V×V, length². Both stored in full.
+/// S: V×V, (S u)ᵢ = Σ w_ij (uᵢ - uⱼ), unitless. M: V×V, length², diagonal or (Galerkin) sparse symmetric. Both stored
+/// in full.
 struct OperatorMatrices {
     SparseMatrix stiffness;
     SparseMatrix mass;
+    /// What solvers may rely on; follows from the claims.
+    Structure structure = Structure::positive_semidefinite;
 };
 
 /// One line of the operator table.
@@ -64,10 +73,10 @@ struct OperatorInfo {
     const char* citation;
     const char* summary;  ///< One sentence.
     std::span<const Parameter> parameters;
+    bool takes_vertex_weights = false;
     PropertyClaims claims;
-    /// @param values one per parameter, in range
-    Result<OperatorMatrices> (*build)(const PolygonMesh& mesh, std::span<const double> values, Mass mass,
-                                      Monitor monitor);
+    /// @param spec complete: one value per parameter, in range; vertex_weights empty or V finite values
+    Result<OperatorMatrices> (*build)(const PolygonMesh& mesh, const OperatorSpec& spec, Monitor monitor);
 };
 
 /// The operator table, in the order of the menus. Explicit, because self-registration vanishes from a static library.
@@ -78,14 +87,16 @@ Result<const OperatorInfo*> find_operator(std::string_view id);
 
 /// A spec from names and texts, e.g. "alexa-wardetzky", {{"lambda", "0.5"}}; choices by their name.
 /// @error unknown_operator, bad_argument (no such parameter, not a number, no such choice), parameter_out_of_range
-Result<OperatorSpec> make_spec(std::string_view id, std::span<const std::pair<std::string, std::string>> settings);
+Result<OperatorSpec> make_spec(std::string_view id, Settings settings);
 
 /// Fills missing values with the table's and checks the ranges.
-/// @error unknown_operator, bad_argument (too many values), parameter_out_of_range
+/// @error unknown_operator, bad_argument (too many values; vertex weights for an operator that takes none, or one that
+/// is not finite: element = vertex), parameter_out_of_range
 Result<OperatorSpec> complete_spec(OperatorSpec spec);
 
 /// Builds stiffness and mass of an operator on a mesh.
-/// @error unknown_operator, parameter_out_of_range, degenerate_face (element = face), out_of_memory, cancelled
+/// @error unknown_operator, bad_argument (another number of vertex weights), parameter_out_of_range, degenerate_face
+/// (element = face), out_of_memory, cancelled
 Result<OperatorMatrices> build_operator(const PolygonMesh& mesh, const OperatorSpec& spec, Monitor monitor = {});
 
 }  // namespace polylap

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "polylap/operators/operator.hpp"
+
+namespace polylap {
+
+/// One mesh of a sequence under refinement.
+struct ConvergenceLevel {
+    Index vertices = 0;
+    double h = 0;      ///< Root of the mean squared edge length.
+    double error = 0;  ///< Mass-weighted L² error of the solution, relative to that of the exact one.
+    double order = 0;  ///< log(error ratio) / log(h ratio) to the level before; NaN at the first.
+};
+
+/// One family of meshes refined, and a problem with a known solution on it.
+struct ConvergenceStudy {
+    std::string family;   ///< E.g. "skewed quad grid".
+    std::string problem;  ///< E.g. "Δu = 0, u = eˣ sin y on the boundary".
+    std::vector<ConvergenceLevel> levels;
+    double order = 0;        ///< Of the last two levels.
+    bool converges = false;  ///< order > ½ and the last error is below the first.
+    std::string failure;     ///< Why there are no more levels, e.g. the operator refused a mesh; else empty.
+};
+
+/// Solves Dirichlet problems on refined planar meshes and Poisson problems on refined spheres with one operator: the
+/// property Con of Wardetzky et al. 2007.
+/// @error unknown_operator, parameter_out_of_range, out_of_memory, cancelled
+Result<std::vector<ConvergenceStudy>> study_convergence(const OperatorSpec& spec, Monitor monitor = {});
+
+}  // namespace polylap

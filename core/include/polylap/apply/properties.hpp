@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "polylap/apply/diagnostics.hpp"
+
+namespace polylap {
+
+/// One property, measured on one mesh.
+struct Measurement {
+    enum class Verdict : std::uint8_t { holds, fails, not_measured };
+    const PropertyInfo* property = nullptr;
+    Verdict verdict = Verdict::not_measured;
+    double value = 0;             ///< The violation: 0 where it holds exactly; what it counts, the text says.
+    std::string text;             ///< For people, e.g. "2048 of 4096 ordered pairs, worst -0.52 between 3 and 17".
+    std::vector<Index> vertices;  ///< The offending place: one vertex, or the pair of the worst entry; empty: none.
+};
+
+/// What check_properties finds.
+struct PropertyReport {
+    std::vector<Measurement> measurements;  ///< In the order of the property table; convergence is not measured here.
+    Index negative_ordered = 0;             ///< Negative weights over ordered pairs.
+    Index negative_pairs = 0;               ///< … and over unordered ones.
+    double smallest_eigenvalue = 0;         ///< Of (S + Sᵀ)/2.
+    double largest_eigenvalue = 0;
+    Index components = 0;         ///< Connected parts of the mesh: the kernel of a Laplacian of their constants.
+    Index kernel_dimension = 0;   ///< Eigenvalues within kernel_tolerance of 0, relative to the largest.
+    bool kernel_complete = true;  ///< False: there may be more than the kernel_limit that were looked for.
+    Matrix kernel_modes;          ///< V×k, orthonormal, rows of unreferenced vertices 0.
+    double condition = 0;         ///< Largest over smallest nonzero |eigenvalue|; infinite if none is known.
+    double smallest_mass = 0;     ///< Least diagonal entry of M over the referenced vertices, length².
+    Index smallest_mass_vertex = -1;
+};
+
+inline constexpr double kernel_tolerance = 1e-9;
+inline constexpr Index kernel_limit = 64;
+
+/// Measures the properties of an operator on a mesh (Wardetzky et al. 2007).
+/// Pos, Sym and Loc beyond weight_tolerance of the largest diagonal entry. Lin: the largest |(S x)ᵢ| over inner
+/// vertices whose faces lie in one plane, relative to the diagonal and the size of the ring. Max: solves for harmonic
+/// functions with boundary data at each coordinate's extremes and at the ends of the worst negative weight.
+/// @error what building and solving say; a solve that fails leaves its measurement not_measured with the reason
+Result<PropertyReport> check_properties(const PolygonMesh& mesh, const Topology& topology,
+                                        const OperatorMatrices& matrices, Monitor monitor = {});
+
+/// Vertices off the boundary all of whose faces lie in one plane (relative to their size) and face the same way.
+std::vector<Index> flat_inner_vertices(const PolygonMesh& mesh, const Topology& topology);
+
+}  // namespace polylap

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+
+#include "polylap/base/result.hpp"
+#include "polylap/base/types.hpp"
+#include "polylap/solve/structure.hpp"
+
+namespace polylap {
+
+/// Factor of a nonsingular sparse matrix by the solver that its structure allows: Cholesky where it is positive
+/// semi-definite; Cholesky first and LU where that fails on a symmetric one; LU on others.
+class LinearFactor {
+public:
+    LinearFactor();
+    LinearFactor(LinearFactor&&) noexcept;
+    LinearFactor& operator=(LinearFactor&&) noexcept;
+    ~LinearFactor();
+
+    /// Keeps ordering and symbolic analysis while the pattern stands.
+    /// @error not_positive_definite (element = row; also for a singular matrix of other structure, then -1 where no row
+    /// can be named), bad_argument, out_of_memory
+    Status factor(const SparseMatrix& a, Structure structure);
+
+    /// @param rhs n×k   @return n×k
+    /// @error bad_argument (nothing is factored, another number of rows), out_of_memory
+    Result<Matrix> solve(const Eigen::Ref<const Matrix>& rhs) const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace polylap
