@@ -28,19 +28,32 @@ struct PropertyReport {
     Index kernel_dimension = 0;   ///< Eigenvalues within kernel_tolerance of 0, relative to the largest.
     bool kernel_complete = true;  ///< False: there may be more than the kernel_limit that were looked for.
     Matrix kernel_modes;          ///< V×k, orthonormal, rows of unreferenced vertices 0.
-    double condition = 0;         ///< Largest over smallest nonzero |eigenvalue|; infinite if none is known.
-    double smallest_mass = 0;     ///< Least diagonal entry of M over the referenced vertices, length².
+    /// Largest over smallest nonzero |eigenvalue| (singular value, if S is not symmetric); infinite if none is known.
+    double condition = 0;
+    double smallest_mass = 0;  ///< Least diagonal entry of M over the referenced vertices, length².
     Index smallest_mass_vertex = -1;
 };
 
 inline constexpr double kernel_tolerance = 1e-9;
 inline constexpr Index kernel_limit = 64;
+/// (S x)ᵢ at most this multiple of the sum of its terms' lengths is rounding.
+inline constexpr double linear_tolerance = 1e-9;
+/// Values beyond the range of the fixed ones by at most this multiple of its width are rounding.
+inline constexpr double range_tolerance = 1e-9;
 
 /// Measures the properties of an operator on a mesh (Wardetzky et al. 2007).
-/// Pos, Sym and Loc beyond weight_tolerance of the largest diagonal entry. Lin: the largest |(S x)ᵢ| over inner
-/// vertices whose faces lie in one plane, relative to the diagonal and the size of the ring. Max: solves for harmonic
-/// functions with boundary data at each coordinate's extremes and at the ends of the worst negative weight.
-/// @error what building and solving say; a solve that fails leaves its measurement not_measured with the reason
+/// - Sym, Loc, Pos and S 1 = 0 beyond weight_tolerance of the largest diagonal entry.
+/// - Psd: the smallest eigenvalue of (S + Sᵀ)/2 beyond kernel_tolerance of the largest.
+/// - Lin: the largest |Σ S_ij (x_j - x_i)| over flat inner vertices, relative to Σ |S_ij| |x_j - x_i|, beyond
+///   linear_tolerance. A vertex that S joins to others off its plane does not count.
+/// - Max: the harmonic functions that are 1 at one fixed vertex and 0 at the others. Fixed is the boundary; on a closed
+///   component up to 16 vertices far apart. All of these functions where vertices × fixed vertices ≤ 2 million, which
+///   is exact: if none leaves [0, 1] (and constants stay), no boundary data does. Otherwise 64 of them, half next to
+///   the worst negative weights, half spread evenly, and the coordinates; the text says so.
+/// - Kernel: of (S + Sᵀ)/2 if S is symmetric and has no negative eigenvalue, else of SᵀS; the constants of the
+///   components come first where they belong to it.
+/// @error bad_argument (sizes that do not fit), cancelled, out_of_memory; another failure of a solver leaves its
+/// measurement not_measured with the reason
 Result<PropertyReport> check_properties(const PolygonMesh& mesh, const Topology& topology,
                                         const OperatorMatrices& matrices, Monitor monitor = {});
 
