@@ -269,6 +269,9 @@ export interface ConvergenceLevel {
 export interface ConvergenceStudy {
   family: string;
   problem: string;
+  onlyTriangles: boolean;
+  /** All faces of all its meshes lie in planes. */
+  planarFaces: boolean;
   levels: ConvergenceLevel[];
   order: number;
   converges: boolean;
