@@ -29,7 +29,7 @@ describe('each rule can be broken', () => {
     expect(broken('core/src/apply/b.cpp', 'polylap/session.hpp')).toHaveLength(1);
     expect(broken('core/src/mesh/b.cpp', 'face/secret.hpp')).toHaveLength(1);
     expect(broken('core/src/odd/b.cpp', 'polylap/mesh/a.hpp')).toHaveLength(1);
-    expect(broken('wasm/bindings.cpp', 'face/secret.hpp')).toHaveLength(1);
+    expect(broken('wasm/bindings/session.cpp', 'face/secret.hpp')).toHaveLength(1);
     expect(broken('core/src/operators/b.cpp', 'face/secret.hpp')).toEqual([]);
     expect(broken('core/src/session.cpp', 'polylap/mesh/a.hpp')).toEqual([]);
     expect(broken('core/tools/b.cpp', 'own.hpp')).toEqual([]);

@@ -56,7 +56,8 @@ async function until(condition: () => boolean, timeout = 10_000) {
   }
 }
 
-const coordinates = async (mesh: Mesh, side: 'a' | 'b' = 'a') => mesh.obj({ side });
+const textOf = (bytes: Uint8Array) => new TextDecoder().decode(bytes);
+const coordinates = async (mesh: Mesh, side: 'a' | 'b' = 'a') => textOf(await mesh.file('obj', { side }));
 
 describe('calls', () => {
   it('gives what the synchronous API gives', async () => {
@@ -74,11 +75,11 @@ describe('calls', () => {
     expect(await mesh.harmonic(aw, fixed)).toEqual(session.harmonic(aw, fixed));
     const options = { time: 0.01, steps: 3 };
     expect(await mesh.smooth(aw, options)).toEqual(session.smooth(aw, options));
-    expect(await mesh.obj()).toBe(session.obj());
-    expect(await mesh.obj({ side: 'b' })).toBe(session.obj({ side: 'b' }));
+    expect(await mesh.file('obj')).toEqual(session.file('obj'));
+    expect(await mesh.file('obj', { side: 'b' })).toEqual(session.file('obj', { side: 'b' }));
     await mesh.reset();
     session.reset();
-    expect(await mesh.obj()).toBe(session.obj());
+    expect(await mesh.file('obj')).toEqual(session.file('obj'));
     expect((await make(torus)).geometry).toEqual(polylap.make(torus).geometry());
   });
 
@@ -128,7 +129,7 @@ describe('calls', () => {
     await mesh.close();
     expect((await failure(mesh.shape())).code).toBe('bad-argument');
     const other = await c.make(torus);
-    const waiting = [failure(other.shape()), failure(other.obj())];
+    const waiting = [failure(other.shape()), failure(other.file('obj'))];
     c.close();
     for (const error of await Promise.all(waiting)) expect(error.code).toBe('cancelled');
     expect((await failure(c.make(torus))).code).toBe('cancelled');

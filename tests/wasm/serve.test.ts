@@ -39,7 +39,7 @@ it('says ready first, then hands over the memory of every array in a reply, each
   const { said, ask } = await start();
   expect(said[0]?.message).toEqual({ kind: 'ready' });
   const requests: [Request, number][] = [
-    [open, 7],
+    [open, 9],
     [{ call: 'weights', takes: { ...side, spec } }, 5],
     [{ call: 'harmonic', takes: { ...side, spec, fixed: { vertices: [0, 9], values: [0, 1] } } }, 2],
     [{ call: 'matrices', takes: { ...side, spec } }, 6],
@@ -78,7 +78,7 @@ it('says that it failed when the core traps, and restores nothing in it', async 
     throw new WebAssembly.RuntimeError('unreachable');
   };
   const { said, ask } = await start(
-    async () => new Polylap({ operators: () => ({ ok: [] }), makeTorus: trap, Side: {} } as never),
+    async () => new Polylap({ operators: () => ({ ok: [] }), make: trap, Side: {} } as never),
   );
   void ask(open).catch(() => {});
   await vi.waitUntil(() => said.length > 1);

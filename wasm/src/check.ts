@@ -1,10 +1,11 @@
 /** Arguments as callers in plain JavaScript may give them: what is not right leaves as `bad-argument`, before it reaches the core or the worker. */
 import { PolylapError } from './error.js';
-import type { OperatorSpec } from './generated.js';
-import type { SmoothRunOptions } from './types.js';
+import type { ConversionSpec, OperatorSpec, ShapeSpec } from './generated.js';
+import type { Settings } from './raw.js';
+import type { OpenOptions, SmoothRunOptions } from './types.js';
 
-export function badArgument(message: string): PolylapError {
-  return new PolylapError('bad-argument', message);
+export function badArgument(message: string, element?: number): PolylapError {
+  return new PolylapError('bad-argument', message, element);
 }
 
 export const messageOf = (error: unknown) => (error instanceof Error ? error.message : String(error));
@@ -83,15 +84,78 @@ export function numbers<T>(
   });
 }
 
-/** `{id, parameter: number or text, …}`, copied. */
-export function operatorSpec(spec: OperatorSpec): OperatorSpec {
-  const copy = fields(spec, 'an operator, {id: …},');
-  for (const [key, value] of Object.entries(copy as object)) {
+/** `{…, parameter: number or text, …}`, copied. */
+function settings(spec: object, what: string): Settings {
+  const copy = fields(spec, what);
+  for (const [key, value] of Object.entries(copy)) {
     if (value !== undefined && typeof value !== 'number' && typeof value !== 'string') {
-      throw badArgument(`${key} of an operator must be a number or text, not ${show(value)}`);
+      throw badArgument(`${key} in ${what} must be a number or text, not ${show(value)}`);
     }
   }
-  return copy;
+  return copy as Settings;
+}
+
+/** An operator taken apart, and nothing in it the caller's own. */
+export interface OperatorParts {
+  id: string;
+  settings: Settings;
+  vertexWeights: Float64Array | undefined;
+}
+
+/** V numbers, copied. Whether they are V finite ones the core knows. */
+function weightsOfVertices(values: unknown): Float64Array {
+  if (typeof values !== 'object' || values === null)
+    throw badArgument(`vertexWeights must be an array, not ${show(values)}`);
+  return reading('vertexWeights', () => {
+    wholeNumber((values as ArrayLike<number>).length, 'the number of vertexWeights', 0);
+    return Float64Array.from(values as ArrayLike<number>, (value, vertex) => {
+      if (typeof value === 'number') return value;
+      throw badArgument(`the weight of vertex ${vertex} must be a number, not ${show(value)}`, vertex);
+    });
+  });
+}
+
+export function operatorParts(spec: OperatorSpec): OperatorParts {
+  const what = 'an operator, {id: …},';
+  const { vertexWeights, ...rest } = fields<object & { vertexWeights?: unknown }>(spec, what);
+  const { id, ...parameters } = settings(rest, what);
+  const given = (vertexWeights ?? undefined) !== undefined;
+  return {
+    id: String(id ?? ''),
+    settings: parameters,
+    vertexWeights: given ? weightsOfVertices(vertexWeights) : undefined,
+  };
+}
+
+/** The same in one piece, as it crosses to the worker. */
+export function ownOperator(spec: OperatorSpec): OperatorSpec {
+  const { id, settings: parameters, vertexWeights } = operatorParts(spec);
+  return { id, ...parameters, ...(vertexWeights && { vertexWeights }) } as OperatorSpec;
+}
+
+/** A shape: `{shape: id, …}`, copied; its own parameters apart from the noise that any shape takes. */
+export function shapeParts(shape: ShapeSpec): { id: string; settings: Settings; noise: number; seed: number } {
+  const { shape: id, noise, seed, ...rest } = settings(shape, 'a shape');
+  return {
+    id: text(id, 'the name of a shape'),
+    settings: rest,
+    noise: realNumber(noise ?? 0, 'noise'),
+    seed: wholeNumber(seed ?? 1, 'seed', 0, 2 ** 32 - 1),
+  };
+}
+
+/** A conversion: `{conversion: id, …}`, copied. */
+export function conversionParts(conversion: ConversionSpec): { id: string; settings: Settings } {
+  const { conversion: id, ...rest } = settings(conversion, 'a conversion');
+  return { id: text(id, 'the name of a conversion'), settings: rest };
+}
+
+/** How to open a mesh, complete. */
+export function openOptions({ repair, mergeDistance }: OpenOptions): Required<OpenOptions> {
+  return {
+    repair: yesOrNo(repair ?? false, 'repair'),
+    mergeDistance: realNumber(mergeDistance ?? 0, 'mergeDistance'),
+  };
 }
 
 /** The contents of a mesh file; a view where there is one. */
@@ -103,7 +167,7 @@ export function bytesOf(contents: Uint8Array | ArrayBuffer | string): Uint8Array
 }
 
 /** The caller's wishes for one call, read once. */
-export function runOf(given: SmoothRunOptions): SmoothRunOptions {
+export function runOf<T extends SmoothRunOptions>(given: T): T {
   const run = fields(given, 'the options of a call');
   optionalFunction(run.onProgress, 'onProgress');
   optionalFunction(run.onStep, 'onStep');

@@ -1,42 +1,25 @@
-/**
- * The asynchronous API: owns the worker, queues requests, and starts the worker again when it died or would not stop.
- *
- * The queue lives here and one request is under way at a time, so that a request which has not started can be dropped, and a new worker can go on
- * where the old one ended: from the meshes' bytes and the surfaces that smoothing left.
- */
-import { fields, messageOf, ownBytes, ownCopy, runOf, text } from './check.js';
-import { PolylapError } from './error.js';
-import type { CallName, FromWorker, Gives, Request, Saved, Source, Takes, ToWorker } from './protocol.js';
+/** The asynchronous API: the meshes that live in the worker, and what it takes to make them again in another one. */
+import { conversionParts, openOptions, ownBytes, ownOperator, runOf, shapeParts, text } from './check.js';
+import type { ConversionSpec, OperatorSpec, ShapeSpec } from './generated.js';
+import type { CallName, Gives, OnSide, Opened, Request, Saved, Source, Takes } from './protocol.js';
+import { type Subject, type WorkerLike, WorkerQueue } from './queue.js';
 import type {
   Client,
-  Geometry,
+  ConvergenceStudy,
   Mesh,
-  MeshInfo,
+  OpenOptions,
   RunOptions,
-  ShapeSpec,
   Side,
   Smoothed,
   SmoothRunOptions,
 } from './types.js';
 
-/** What the client needs of a Worker; it sets the handlers. */
-export interface WorkerLike {
-  postMessage(message: unknown): void;
-  terminate(): void;
-  onmessage: ((event: never) => void) | null;
-  onerror: ((event: never) => void) | null;
-  onmessageerror: ((event: never) => void) | null;
-}
+export type { WorkerLike } from './queue.js';
 
 export interface ClientOptions {
   /** Makes the worker that runs worker.ts; called again after a restart. */
   worker: () => WorkerLike;
 }
-
-/** How long a running request may take to stop before the worker is ended, in ms. */
-const cancelGrace = 300;
-/** A worker that fails so often in a row without having been asked for anything is given up. */
-const startAttempts = 3;
 
 /** @throws PolylapError `worker-failed` when the worker cannot be started */
 export async function startClient(options: ClientOptions): Promise<Client> {
@@ -46,357 +29,139 @@ export async function startClient(options: ClientOptions): Promise<Client> {
 }
 
 /** What it takes to make a mesh again in another worker. */
-interface MeshState {
+interface MeshState extends Subject {
   id: number;
   source: Source;
   sides: Map<Side, Saved>;
-  /** Why the mesh could not be taken over. */
-  lost?: PolylapError;
 }
 
-/** A request on its way through the queue. */
-interface Job {
-  id: number;
-  request: Request;
-  state: MeshState;
-  run: SmoothRunOptions;
-  /** A request of the client's own, to bring a worker into the state that the client remembers. */
-  internal: boolean;
-  /** Set when it was cancelled, or when a callback threw: with what to reject it. */
-  stopped?: { error: unknown };
-  /** Takes the value in before the caller sees it; nobody can cancel any more. */
-  commit: (value: never) => void;
-  resolve: (value: never) => void;
-  reject: (error: unknown) => void;
-  /** Makes the worker forget what a request did that was cancelled too late. */
-  undo?: () => void;
-}
-
-const cancelled = () => new PolylapError('cancelled', 'cancelled');
-const closed = () => new PolylapError('cancelled', 'the client has been closed');
+type OnSideCall = { [K in CallName]: Takes<K> extends OnSide ? K : never }[CallName];
+type Run = Omit<RunOptions, 'side'>;
 
 class WorkerClient implements Client {
   onRestart?: (reason: string) => void;
-  readonly started: Promise<void>;
-
-  readonly #makeWorker: () => WorkerLike;
-  #worker: WorkerLike | undefined;
-  #ready = false;
-  #started: { resolve: () => void; reject: (error: PolylapError) => void } | undefined;
-  /** Set for good once the client is closed or given up. */
-  #ended: (() => PolylapError) | undefined;
-  #restartReason: string | undefined;
-  #failures = 0;
-  #queue: Job[] = [];
-  #current: Job | undefined;
-  #grace: ReturnType<typeof setTimeout> | undefined;
+  readonly #queue: WorkerQueue;
   readonly #meshes = new Map<number, MeshState>();
   #nextMesh = 0;
-  #nextId = 0;
 
   constructor({ worker }: ClientOptions) {
-    this.#makeWorker = worker;
-    this.started = new Promise((resolve, reject) => {
-      this.#started = { resolve, reject };
+    this.#queue = new WorkerQueue({
+      worker,
+      remembered: () => [...this.#meshes.values()].map((state) => [state, requestsFor(state)]),
+      onRestart: (reason) => this.onRestart?.(reason),
     });
-    this.#start();
   }
 
-  async open(bytes: Uint8Array | ArrayBuffer | Blob | string, name: string, run: RunOptions = {}): Promise<Mesh> {
-    const [file, mine] = [text(name, 'the name of a mesh'), runOf(run)];
-    return this.#open({ bytes: await ownBytes(bytes), name: file }, file, mine);
+  get started(): Promise<void> {
+    return this.#queue.started;
   }
 
-  async make(shape: ShapeSpec): Promise<Mesh> {
-    const spec = ownCopy(fields(shape, 'a shape'));
-    return this.#open({ spec }, spec.shape, {});
+  async open(
+    bytes: Uint8Array | ArrayBuffer | Blob | string,
+    name: string,
+    given: Run & OpenOptions = {},
+  ): Promise<Mesh> {
+    const [file, run] = [text(name, 'the name of a mesh'), runOf(given)];
+    const options = openOptions(run);
+    return this.#open({ bytes: await ownBytes(bytes), name: file, options }, file, run);
+  }
+
+  async make(shape: ShapeSpec, run: Run = {}): Promise<Mesh> {
+    const { id, settings, noise, seed } = shapeParts(shape);
+    return this.#open({ spec: { shape: id, ...settings, noise, seed } as ShapeSpec }, id, runOf(run));
+  }
+
+  async convergence(spec: OperatorSpec, run: Run = {}): Promise<ConvergenceStudy[]> {
+    return this.#queue.call('convergence', { spec: ownOperator(spec) }, {}, { run: runOf(run) });
   }
 
   close(): void {
-    if (!this.#ended) this.#end(closed);
+    this.#queue.close();
+    this.#meshes.clear();
   }
 
-  async #open(source: Source, name: string, run: RunOptions): Promise<Mesh> {
-    const state: MeshState = { id: this.#nextMesh++, source, sides: new Map() };
-    const undo = () => this.#putFirst(state, { call: 'close', takes: { mesh: state.id } });
-    const { info, geometry } = await this.#call('open', { mesh: state.id, source }, state, {
-      run,
-      undo,
+  async #open(source: Source, name: string, run: Run): Promise<Mesh> {
+    const state = this.#newState(source);
+    const opened = await this.#queue.call('open', { mesh: state.id, source }, state, { run, ...this.#keeping(state) });
+    return this.#mesh(state, name, opened);
+  }
+
+  #newState(source: Source): MeshState {
+    return { id: this.#nextMesh++, source, sides: new Map() };
+  }
+
+  /** What to do when a new mesh is there, and when nobody wants it any more. */
+  #keeping(state: MeshState) {
+    return {
       commit: () => this.#meshes.set(state.id, state),
-    });
-    return this.#mesh(state, name, info, geometry);
+      undo: () => this.#queue.putFirst(state, { call: 'close', takes: { mesh: state.id } }),
+    };
   }
 
-  #mesh(state: MeshState, name: string, info: MeshInfo, geometry: Geometry): Mesh {
-    const on = (run: RunOptions = {}) => {
-      const { side = 'a' } = runOf(run);
-      return { mesh: state.id, side };
+  #mesh(state: MeshState, name: string, { info, geometry }: Opened): Mesh {
+    const ask = <K extends OnSideCall>(
+      call: K,
+      takes: Omit<Takes<K>, keyof OnSide>,
+      run: SmoothRunOptions,
+      hooks: { commit?: (value: Gives<K>) => unknown; undo?: () => void } = {},
+    ) => {
+      const { side = 'a' } = run;
+      const all = { mesh: state.id, side, ...takes } as unknown as Takes<K>;
+      return this.#queue.call(call, all, state, { run, ...hooks });
     };
     // All are async for what they throw to become a rejection.
     return {
       ...info,
       name,
       geometry,
-      weights: async (spec, run) => this.#call('weights', { ...on(run), spec }, state, { run }),
-      shape: async (run) => this.#call('shape', on(run), state, { run }),
+      weights: async (spec, run = {}) => ask('weights', { spec: ownOperator(spec) }, runOf(run)),
+      shape: async (run = {}) => ask('shape', {}, runOf(run)),
       smooth: async (spec, options, given = {}) => {
         const run = runOf(given);
-        const { mesh, side } = on(run);
+        const { side = 'a', onStep } = run;
         const commit = (smoothed: Smoothed) => {
           const { coordinates, step } = smoothed;
           const saved = { coordinates: coordinates.slice(), step };
           // The worker tells of all steps but the last, which is the value. If its callback throws, the step has not been.
-          run.onStep?.(smoothed);
+          onStep?.(smoothed);
           state.sides.set(side, saved);
         };
-        const undo = () => this.#putFirst(state, backTo(state, side));
-        const showSteps = typeof run.onStep === 'function';
-        return this.#call('smooth', { mesh, side, spec, options, showSteps }, state, { run, commit, undo });
+        const undo = () => this.#queue.putFirst(state, backTo(state, side));
+        const takes = { spec: ownOperator(spec), options, showSteps: typeof onStep === 'function' };
+        return ask('smooth', takes, run, { commit, undo });
       },
-      harmonic: async (spec, fixed, run) => this.#call('harmonic', { ...on(run), spec, fixed }, state, { run }),
-      matrices: async (spec, run) => this.#call('matrices', { ...on(run), spec }, state, { run }),
-      obj: async (run) => this.#call('obj', on(run), state, { run }),
+      harmonic: async (spec, fixed, run = {}) => ask('harmonic', { spec: ownOperator(spec), fixed }, runOf(run)),
+      matrices: async (spec, run = {}) => ask('matrices', { spec: ownOperator(spec) }, runOf(run)),
+      check: async (spec, run = {}) => ask('check', { spec: ownOperator(spec) }, runOf(run)),
+      dual: async (options = {}, run = {}) => ask('dual', { options }, runOf(run)),
+      file: async (format, run = {}) => ask('file', { format }, runOf(run)),
+      convert: async (conversion, run = {}) => {
+        const { id, settings } = conversionParts(conversion);
+        const own = { conversion: id, ...settings } as ConversionSpec;
+        // Its source is the file that comes with it: all 17 digits, so that it can be made again as it was.
+        const made = this.#newState({ bytes: new Uint8Array(), name: 'converted.obj', options: {} });
+        const { commit: keep, undo } = this.#keeping(made);
+        const commit = ({ file }: Gives<'convert'>) => {
+          made.source = { bytes: file, name: 'converted.obj', options: {} };
+          keep();
+        };
+        const opened = await ask('convert', { conversion: own, made: made.id }, runOf(run), { commit, undo });
+        return this.#mesh(made, `${id} of ${name}`, opened);
+      },
       reset: async (side) => {
         const commit = () => (side === undefined ? state.sides.clear() : state.sides.delete(side));
-        return this.#call('reset', { mesh: state.id, side }, state, { commit });
+        return this.#queue.call('reset', { mesh: state.id, side }, state, { commit });
       },
       close: async () =>
-        this.#call('close', { mesh: state.id }, state, { commit: () => this.#meshes.delete(state.id) }),
+        this.#queue.call('close', { mesh: state.id }, state, { commit: () => this.#meshes.delete(state.id) }),
     };
   }
+}
 
-  // ---- The queue ----
-
-  /** @param hooks commit: takes the value into the client's memory before the caller sees it */
-  async #call<K extends CallName>(
-    call: K,
-    takes: Takes<K>,
-    state: MeshState,
-    hooks: { run?: SmoothRunOptions | undefined; commit?: (value: Gives<K>) => unknown; undo?: () => void } = {},
-  ): Promise<Gives<K>> {
-    const { commit, undo } = hooks;
-    const run = runOf(hooks.run ?? {});
-    // The caller may change the arguments while the request waits. A source is the client's own already, and may be large.
-    const request = { call, takes: 'source' in takes ? takes : ownCopy(takes) } as Request;
-    return new Promise((resolve, reject) => {
-      if (this.#ended) return reject(this.#ended());
-      if (run.signal?.aborted) return reject(cancelled());
-      const onAbort = () => this.#cancel(job, cancelled());
-      run.signal?.addEventListener('abort', onAbort, { once: true });
-      const forget = () => run.signal?.removeEventListener('abort', onAbort);
-      const job: Job = {
-        id: this.#nextId++,
-        request,
-        state,
-        run,
-        internal: false,
-        commit: (value: Gives<K>) => {
-          forget();
-          commit?.(value);
-        },
-        resolve,
-        reject: (error) => {
-          forget();
-          reject(error);
-        },
-        ...(undo && { undo }),
-      };
-      this.#queue.push(job);
-      this.#sendNext();
-    });
-  }
-
-  /** Puts a request of the client's own at the head of the queue. A mesh that it fails on is lost. */
-  #putFirst(state: MeshState, ...requests: Request[]): void {
-    const jobs = requests.map((request): Job => {
-      const reject = (error: unknown) => {
-        state.lost ??= error as PolylapError;
-      };
-      const nothing = () => {};
-      return {
-        id: this.#nextId++,
-        request,
-        state,
-        run: {},
-        internal: true,
-        commit: nothing,
-        resolve: nothing,
-        reject,
-      };
-    });
-    this.#queue.unshift(...jobs);
-  }
-
-  #sendNext(): void {
-    while (this.#ready && !this.#current) {
-      const job = this.#queue.shift();
-      if (!job?.internal) this.#tellRestart();
-      if (!job) return;
-      if (job.state.lost && job.request.call !== 'close') {
-        job.reject(job.state.lost);
-        continue;
-      }
-      this.#current = job;
-      try {
-        this.#send({ kind: 'request', id: job.id, request: job.request });
-      } catch (error) {
-        this.#current = undefined;
-        // They could be copied once; what is missing is room for another copy.
-        job.reject(new PolylapError('out-of-memory', `the arguments cannot be sent: ${messageOf(error)}`));
-      }
-    }
-  }
-
-  #send(message: ToWorker): void {
-    this.#worker?.postMessage(message);
-  }
-
-  #cancel(job: Job, error: unknown): void {
-    if (job !== this.#current) {
-      this.#queue = this.#queue.filter((other) => other !== job);
-      job.reject(error);
-      return;
-    }
-    if (job.stopped) return;
-    job.stopped = { error };
-    this.#send({ kind: 'cancel', id: job.id });
-    this.#grace = setTimeout(() => this.#restart('cancelled', cancelled()), cancelGrace);
-  }
-
-  #receive(message: FromWorker): void {
-    switch (message.kind) {
-      case 'ready':
-        this.#onReady();
-        break;
-      case 'failed':
-        this.#onDeath(message.message);
-        break;
-      case 'progress':
-        this.#tell(message.id, (run) => run.onProgress?.(message.fraction));
-        break;
-      case 'step':
-        this.#tell(message.id, (run) => run.onStep?.(message.smoothed));
-        break;
-      default:
-        this.#settle(message);
-        this.#sendNext();
-    }
-  }
-
-  /** Tells the caller how the request gets on; it ends with what the callback throws. */
-  #tell(id: number, callback: (run: SmoothRunOptions) => void): void {
-    const job = this.#current;
-    if (job?.id !== id || job.stopped) return;
-    try {
-      callback(job.run);
-    } catch (error) {
-      if (job === this.#current) this.#cancel(job, error);
-    }
-  }
-
-  #settle(reply: Extract<FromWorker, { kind: 'done' | 'error' }>): void {
-    const job = this.#current;
-    if (job?.id !== reply.id) return;
-    if (!job.internal) this.#failures = 0;
-    if (reply.kind === 'done' && !job.stopped) {
-      // The job stays the current one meanwhile: nothing may be sent before it is known whether it must be undone.
-      try {
-        job.commit(reply.value as never);
-      } catch (error) {
-        job.stopped = { error };
-      }
-      if (job !== this.#current) return;
-    }
-    this.#current = undefined;
-    clearTimeout(this.#grace);
-    if (job.stopped) {
-      if (reply.kind === 'done') job.undo?.();
-      job.reject(job.stopped.error);
-    } else if (reply.kind === 'done') {
-      job.resolve(reply.value as never);
-    } else {
-      const { code, message, element, line } = reply.error;
-      job.reject(new PolylapError(code as PolylapError['code'], message, element, line));
-    }
-  }
-
-  // ---- The worker's life ----
-
-  #start(): void {
-    this.#ready = false;
-    try {
-      const worker = this.#makeWorker();
-      const ifCurrent = (work: () => void) => worker === this.#worker && work();
-      this.#worker = worker;
-      worker.onmessage = ({ data }: { data: FromWorker }) => ifCurrent(() => this.#receive(data));
-      worker.onerror = (event: { message?: string }) =>
-        ifCurrent(() => this.#onDeath(event.message || 'it could not be loaded or ended'));
-      worker.onmessageerror = () => ifCurrent(() => this.#onDeath('a message could not be read'));
-    } catch (error) {
-      queueMicrotask(() => this.#onDeath(messageOf(error)));
-    }
-  }
-
-  /** A fresh worker: bring it to where the last one was, then go on with the queue. */
-  #onReady(): void {
-    this.#ready = true;
-    this.#started?.resolve();
-    this.#started = undefined;
-    for (const state of this.#meshes.values()) {
-      if (state.lost) continue;
-      const sides = [...state.sides.keys()];
-      const open: Request = { call: 'open', takes: { mesh: state.id, source: state.source } };
-      this.#putFirst(state, open, ...sides.map((side) => backTo(state, side)));
-    }
-    this.#sendNext();
-  }
-
-  /** Called when a worker has nothing left of the client's own to do: it is up again. */
-  #tellRestart(): void {
-    const reason = this.#restartReason;
-    this.#restartReason = undefined;
-    if (reason !== undefined) queueMicrotask(() => this.onRestart?.(reason));
-  }
-
-  #onDeath(why: string): void {
-    if (this.#ended) return;
-    const failure = () => new PolylapError('worker-failed', `the worker failed: ${why}`);
-    // Whose fault is it? A user's request is not tried again; without one, the worker itself does not work.
-    if (!this.#current || this.#current.internal) this.#failures += 1;
-    if (this.#failures >= startAttempts) this.#end(failure);
-    else this.#restart(failure().message, failure());
-  }
-
-  /** Ends the worker and starts another. @param error for the request under way; the others stay in the queue */
-  #restart(reason: string, error: PolylapError): void {
-    clearTimeout(this.#grace);
-    this.#dropWorker();
-    this.#restartReason ??= reason;
-    const job = this.#current;
-    this.#current = undefined;
-    this.#queue = this.#queue.filter(({ internal }) => !internal);
-    this.#start();
-    if (job && !job.internal) job.reject(job.stopped ? job.stopped.error : error);
-  }
-
-  #end(error: () => PolylapError): void {
-    this.#ended = error;
-    clearTimeout(this.#grace);
-    this.#dropWorker();
-    this.#started?.reject(error());
-    this.#started = undefined;
-    const jobs = this.#current ? [this.#current, ...this.#queue] : this.#queue;
-    this.#current = undefined;
-    this.#queue = [];
-    this.#meshes.clear();
-    for (const job of jobs) if (!job.internal) job.reject(error());
-  }
-
-  #dropWorker(): void {
-    this.#ready = false;
-    this.#worker?.terminate();
-    this.#worker = undefined;
-  }
+/** The requests that bring a mesh into a new worker, in the order in which they are to run. */
+function requestsFor(state: MeshState): Request[] {
+  const open: Request = { call: 'open', takes: { mesh: state.id, source: state.source } };
+  return [open, ...[...state.sides.keys()].map((side) => backTo(state, side))];
 }
 
 /** The request that puts a side where the client remembers it. */

@@ -1,14 +1,19 @@
 /** What the client and its worker say to each other. The client has one request under way at a time and keeps the queue. */
-import type { OperatorSpec } from './generated.js';
+import type { ConversionSpec, OperatorSpec, ShapeSpec } from './generated.js';
 import type { RawError } from './raw.js';
 import type {
+  Check,
+  ConvergenceStudy,
+  Dual,
+  DualOptions,
   FixedValues,
   Geometry,
   Harmonic,
   Matrices,
+  MeshFormat,
   MeshInfo,
+  OpenOptions,
   Shape,
-  ShapeSpec,
   Side,
   Smoothed,
   SmoothOptions,
@@ -16,26 +21,36 @@ import type {
 } from './types.js';
 
 /** From what a mesh can be made again. */
-export type Source = { bytes: Uint8Array; name: string } | { spec: ShapeSpec };
+export type Source = { bytes: Uint8Array; name: string; options: OpenOptions } | { spec: ShapeSpec };
+
+export interface Opened {
+  info: MeshInfo;
+  geometry: Geometry;
+}
 
 /** The part of a surface that smoothing changes. */
 export type Saved = Pick<Smoothed, 'coordinates' | 'step'>;
 
 /** Each call with its arguments and its value. Meshes are numbered by the client. */
 export interface Calls {
-  open: { takes: { mesh: number; source: Source }; gives: { info: MeshInfo; geometry: Geometry } };
+  open: { takes: { mesh: number; source: Source }; gives: Opened };
   close: { takes: { mesh: number }; gives: undefined };
   weights: { takes: OnSide & { spec: OperatorSpec }; gives: Weights };
   shape: { takes: OnSide; gives: Shape };
   smooth: { takes: OnSide & { spec: OperatorSpec; options: SmoothOptions; showSteps: boolean }; gives: Smoothed };
   harmonic: { takes: OnSide & { spec: OperatorSpec; fixed: FixedValues }; gives: Harmonic };
   matrices: { takes: OnSide & { spec: OperatorSpec }; gives: Matrices };
-  obj: { takes: OnSide; gives: string };
+  check: { takes: OnSide & { spec: OperatorSpec }; gives: Check };
+  dual: { takes: OnSide & { options: DualOptions }; gives: Dual };
+  file: { takes: OnSide & { format: MeshFormat }; gives: Uint8Array };
+  /** The new mesh gets the number `made`; from its file it can be made again. */
+  convert: { takes: OnSide & { conversion: ConversionSpec; made: number }; gives: Opened & { file: Uint8Array } };
   reset: { takes: { mesh: number; side: Side | undefined }; gives: undefined };
   restore: { takes: OnSide & { saved: Saved }; gives: undefined };
+  convergence: { takes: { spec: OperatorSpec }; gives: ConvergenceStudy[] };
 }
 
-interface OnSide {
+export interface OnSide {
   mesh: number;
   side: Side;
 }
@@ -45,7 +60,8 @@ export type Takes<K extends CallName> = Calls[K]['takes'];
 export type Gives<K extends CallName> = Calls[K]['gives'];
 
 /** Call and arguments, as one of the pairs that belong together. */
-export type Request = { [K in CallName]: { call: K; takes: Takes<K> } }[CallName];
+export type RequestOf<K extends CallName> = { [C in K]: { call: C; takes: Takes<C> } }[K];
+export type Request = RequestOf<CallName>;
 
 export type ToWorker = { kind: 'request'; id: number; request: Request } | { kind: 'cancel'; id: number };
 

@@ -1,5 +1,19 @@
-/** The module that Emscripten makes of bindings.cpp, as it is. Everything else goes through session.ts. */
-import type { Geometry, Harmonic, Matrices, MeshInfo, OperatorInfo, PropertyInfo, Shape, Smoothed, Weights } from './types.js';
+/** The module that Emscripten makes of wasm/bindings, as it is. Everything else goes through session.ts. */
+import type {
+  Check,
+  ConvergenceStudy,
+  Dual,
+  Geometry,
+  Harmonic,
+  MakerInfo,
+  Matrices,
+  MeshInfo,
+  OperatorInfo,
+  PropertyInfo,
+  Shape,
+  Smoothed,
+  Weights,
+} from './types.js';
 
 export interface RawError {
   code: string;
@@ -18,17 +32,23 @@ export interface RawSide {
   readonly value: number;
 }
 
+/** Parameters by name; undefined ones take their default. */
+export type Settings = Record<string, number | string | undefined>;
+
 export interface RawSession {
   info(): Reply<MeshInfo>;
   geometry(): Reply<Geometry>;
   surface(side: RawSide): Reply<Smoothed>;
   shape(side: RawSide): Reply<Shape>;
-  obj(side: RawSide): Reply<string>;
-  setOperator(side: RawSide, spec: object): Reply<void>;
+  file(side: RawSide, format: string): Reply<Uint8Array>;
+  convert(side: RawSide, id: string, settings: Settings): Reply<RawSession>;
+  setOperator(side: RawSide, id: string, settings: Settings, vertexWeights: Float64Array | undefined): Reply<void>;
   weights(side: RawSide, tick: Tick | undefined): Reply<Weights>;
   smooth(side: RawSide, time: number, steps: number, rebuild: boolean, tick: Tick | undefined): Reply<void>;
   harmonic(side: RawSide, vertices: Int32Array, values: Float64Array, tick: Tick | undefined): Reply<Harmonic>;
   matrices(side: RawSide, tick: Tick | undefined): Reply<Matrices>;
+  check(side: RawSide, tick: Tick | undefined): Reply<Check>;
+  dual(side: RawSide, mu: number, tick: Tick | undefined): Reply<Dual>;
   reset(side: RawSide): Reply<void>;
   restore(side: RawSide, coordinates: Float64Array, steps: number): Reply<void>;
   /** Frees the C++ object; the only way to do so. */
@@ -39,12 +59,24 @@ export interface RawModule {
   Side: { a: RawSide; b: RawSide };
   /** Another array after the memory has grown. */
   HEAPU8: Uint8Array;
-  open(bytes: Uint8Array, name: string, tick: Tick | undefined): Reply<RawSession>;
-  makeTorus(nu: number, nv: number, major: number, minor: number, noise: number, seed: number): Reply<RawSession>;
-  makeGrid(nx: number, ny: number, width: number, height: number, noise: number, seed: number): Reply<RawSession>;
-  makeSaddle(n: number, height: number, noise: number, seed: number): Reply<RawSession>;
+  open(
+    bytes: Uint8Array,
+    name: string,
+    repair: boolean,
+    mergeDistance: number,
+    tick: Tick | undefined,
+  ): Reply<RawSession>;
+  make(id: string, settings: Settings, noise: number, seed: number): Reply<RawSession>;
+  convergence(
+    id: string,
+    settings: Settings,
+    vertexWeights: Float64Array | undefined,
+    tick: Tick | undefined,
+  ): Reply<ConvergenceStudy[]>;
   operators(): Reply<Omit<OperatorInfo, 'formulaMathml'>[]>;
   properties(): Reply<PropertyInfo[]>;
+  shapes(): Reply<MakerInfo[]>;
+  conversions(): Reply<MakerInfo[]>;
   errorCodes(): Reply<string[]>;
 }
 

@@ -2,7 +2,7 @@
 import { fields, messageOf, wholeNumber } from './check.js';
 import { CoreStopped, PolylapError } from './error.js';
 import type { OperatorSpec } from './generated.js';
-import type { CallName, FromWorker, Gives, Request, Takes, ToWorker } from './protocol.js';
+import type { CallName, FromWorker, Gives, Opened, Request, RequestOf, Takes, ToWorker } from './protocol.js';
 import type { Polylap, Session } from './session.js';
 import type { Smoothed } from './types.js';
 
@@ -82,45 +82,72 @@ class Server {
         this.#sessions.get(request.takes.mesh)?.close();
         this.#sessions.delete(request.takes.mesh);
         return undefined;
+      case 'convergence':
+        return this.#polylap.convergence(request.takes.spec, { onProgress });
+      default:
+        return this.#performOn(this.#session(request.takes.mesh), id, request, onProgress);
+    }
+  }
+
+  #performOn(
+    session: Session,
+    id: number,
+    request: RequestOf<Exclude<CallName, 'open' | 'close' | 'convergence'>>,
+    onProgress: (fraction: number) => undefined,
+  ): Gives<CallName> | Promise<Smoothed> {
+    const { call, takes } = request;
+    const options = { onProgress, side: takes.side };
+    switch (call) {
       case 'weights':
-        return this.#session(request).weights(request.takes.spec, { side: request.takes.side, onProgress });
+        return session.weights(takes.spec, options);
       case 'shape':
-        return this.#session(request).shape(request.takes);
+        return session.shape(options);
       case 'smooth':
-        return this.#smooth(id, this.#session(request), request.takes);
+        return this.#smooth(id, session, takes);
       case 'harmonic':
-        return this.#session(request).harmonic(request.takes.spec, request.takes.fixed, {
-          side: request.takes.side,
-          onProgress,
-        });
+        return session.harmonic(takes.spec, takes.fixed, options);
       case 'matrices':
-        return this.#session(request).matrices(request.takes.spec, { side: request.takes.side, onProgress });
-      case 'obj':
-        return this.#session(request).obj(request.takes);
+        return session.matrices(takes.spec, options);
+      case 'check':
+        return session.check(takes.spec, options);
+      case 'dual':
+        return session.dual(takes.options, options);
+      case 'file':
+        return session.file(takes.format, options);
+      case 'convert':
+        return this.#keep(takes.made, session.convert(takes.conversion, options), (converted) => ({
+          ...tellOf(converted),
+          file: converted.file('obj'),
+        }));
       case 'reset':
-        this.#session(request).reset(request.takes.side);
+        session.reset(takes.side);
         return undefined;
       case 'restore':
-        this.#session(request).restore(request.takes.saved, request.takes);
+        session.restore(takes.saved, options);
         return undefined;
     }
   }
 
-  #session({ takes }: Request): Session {
-    const session = this.#sessions.get(takes.mesh);
+  #session(mesh: number): Session {
+    const session = this.#sessions.get(mesh);
     if (!session) throw new PolylapError('bad-argument', 'this mesh has been closed');
     return session;
   }
 
-  #open({ mesh, source }: Takes<'open'>, onProgress: (fraction: number) => undefined): Gives<'open'> {
+  #open({ mesh, source }: Takes<'open'>, onProgress: (fraction: number) => undefined): Opened {
     const session =
       'bytes' in source
-        ? this.#polylap.open(source.bytes, source.name, { onProgress })
+        ? this.#polylap.open(source.bytes, source.name, { ...source.options, onProgress })
         : this.#polylap.make(source.spec);
+    return this.#keep(mesh, session, tellOf);
+  }
+
+  /** Keeps a new session once all that is to be told of it has been had. */
+  #keep<T>(mesh: number, session: Session, tell: (session: Session) => T): T {
     try {
-      const opened = { info: session.info(), geometry: session.geometry() };
+      const told = tell(session);
       this.#sessions.set(mesh, session);
-      return opened;
+      return told;
     } catch (error) {
       session.close();
       throw error;
@@ -177,6 +204,8 @@ class Server {
     }
   }
 }
+
+const tellOf = (session: Session): Opened => ({ info: session.info(), geometry: session.geometry() });
 
 /** Lets waiting messages in. A timer would cost 4 ms each time. */
 function turn(): Promise<void> {

@@ -2,29 +2,37 @@
 import {
   badArgument,
   bytesOf,
+  conversionParts,
   fields,
   messageOf,
   numbers,
   oneOf,
-  operatorSpec,
+  openOptions,
+  operatorParts,
   optionalFunction,
   realNumber,
+  shapeParts,
   text,
   wholeNumber,
   yesOrNo,
 } from './check.js';
 import { CoreStopped, PolylapError } from './error.js';
-import type { ErrorCode, OperatorSpec } from './generated.js';
+import type { ConversionSpec, ErrorCode, OperatorSpec, ShapeSpec } from './generated.js';
 import type { RawModule, RawSession, RawSide, Reply, Tick } from './raw.js';
 import type {
+  Check,
+  ConvergenceStudy,
+  Dual,
+  DualOptions,
   FixedValues,
   Geometry,
   Harmonic,
   Matrices,
+  MeshFormat,
   MeshInfo,
+  OpenOptions,
   OperatorInfo,
   Shape,
-  ShapeSpec,
   Side,
   Smoothed,
   SmoothOptions,
@@ -38,8 +46,10 @@ export interface SyncOptions {
   onProgress?: (fraction: number) => boolean | undefined;
 }
 
+const formats: readonly MeshFormat[] = ['obj', 'off', 'ply', 'stl'];
+
 /** What a call may be given besides its arguments, read once. */
-function optionsOf(options: SyncOptions): SyncOptions {
+function optionsOf<T extends SyncOptions>(options: T): T {
   const copy = fields(options, 'the options');
   optionalFunction(copy.onProgress, 'onProgress');
   return copy;
@@ -93,36 +103,23 @@ export class Polylap {
   open(
     contents: Uint8Array | ArrayBuffer | string,
     name: string,
-    options: Pick<SyncOptions, 'onProgress'> = {},
+    options: Pick<SyncOptions, 'onProgress'> & OpenOptions = {},
   ): Session {
-    const [bytes, file] = [bytesOf(contents), text(name, 'the name of a mesh')];
-    return this.#own((tick) => this.#module.open(bytes, file, tick), optionsOf(options).onProgress);
+    const [bytes, file, given] = [bytesOf(contents), text(name, 'the name of a mesh'), optionsOf(options)];
+    const { repair, mergeDistance } = openOptions(given);
+    return this.#own((tick) => this.#module.open(bytes, file, repair, mergeDistance, tick), given.onProgress);
   }
 
   make(shape: ShapeSpec): Session {
-    const spec = fields(shape, 'a shape');
-    const noise = realNumber(spec.noise ?? 0, 'noise');
-    const seed = wholeNumber(spec.seed ?? 1, 'seed', 0, 2 ** 32 - 1);
-    const module = this.#module;
-    switch (spec.shape) {
-      case 'torus': {
-        const [nu, nv] = [wholeNumber(spec.nu, 'nu'), wholeNumber(spec.nv, 'nv')];
-        const [major, minor] = [realNumber(spec.major ?? 1, 'major'), realNumber(spec.minor ?? 0.4, 'minor')];
-        return this.#own(() => module.makeTorus(nu, nv, major, minor, noise, seed));
-      }
-      case 'grid': {
-        const [nx, ny] = [wholeNumber(spec.nx, 'nx'), wholeNumber(spec.ny, 'ny')];
-        const [width, height] = [realNumber(spec.width ?? 1, 'width'), realNumber(spec.height ?? 1, 'height')];
-        return this.#own(() => module.makeGrid(nx, ny, width, height, noise, seed));
-      }
-      case 'saddle': {
-        const n = wholeNumber(spec.n, 'n');
-        const height = realNumber(spec.height ?? 1, 'height');
-        return this.#own(() => module.makeSaddle(n, height, noise, seed));
-      }
-      default:
-        throw badArgument(`no such shape: ${text((spec as { shape?: unknown }).shape, 'the name of a shape')}`);
-    }
+    const { id, settings, noise, seed } = shapeParts(shape);
+    return this.#own(() => this.#module.make(id, settings, noise, seed));
+  }
+
+  /** A study on meshes of its own: does the operator converge under refinement? */
+  convergence(spec: OperatorSpec, options: Pick<SyncOptions, 'onProgress'> = {}): ConvergenceStudy[] {
+    const { id, settings, vertexWeights } = operatorParts(spec);
+    const { onProgress } = optionsOf(options);
+    return call((tick) => this.#module.convergence(id, settings, vertexWeights, tick), onProgress);
   }
 
   /** The operator table as the core has it; `operators` in generated.ts is the same with MathML. */
@@ -177,9 +174,20 @@ export class Session {
     return this.#call((raw) => raw.shape(side));
   }
 
-  obj(options: SyncOptions = {}): string {
+  /** The side's surface as a file; text but for STL. */
+  file(format: MeshFormat, options: SyncOptions = {}): Uint8Array {
+    const [ending, side] = [oneOf(format, formats, 'the format'), this.#side(optionsOf(options).side)];
+    return this.#call((raw) => raw.file(side, ending));
+  }
+
+  /** A new session with a mesh made of the side's surface. */
+  convert(conversion: ConversionSpec, options: SyncOptions = {}): Session {
+    const { id, settings } = conversionParts(conversion);
     const side = this.#side(optionsOf(options).side);
-    return this.#call((raw) => raw.obj(side));
+    return new Session(
+      this.#call((raw) => raw.convert(side, id, settings)),
+      this.#sides,
+    );
   }
 
   weights(spec: OperatorSpec, options: SyncOptions = {}): Weights {
@@ -206,6 +214,19 @@ export class Session {
 
   matrices(spec: OperatorSpec, options: SyncOptions = {}): Matrices {
     return this.#apply(spec, options, (raw, side, tick) => raw.matrices(side, tick));
+  }
+
+  /** The properties of an operator on the side's surface. */
+  check(spec: OperatorSpec, options: SyncOptions = {}): Check {
+    return this.#apply(spec, options, (raw, side, tick) => raw.check(side, tick));
+  }
+
+  /** The orthogonal dual of the side's surface. */
+  dual(how: DualOptions = {}, options: SyncOptions = {}): Dual {
+    const mu = realNumber(fields(how, 'the options of the dual').mu ?? 0, 'mu');
+    const { side, onProgress } = optionsOf(options);
+    const on = this.#side(side);
+    return this.#call((raw, tick) => raw.dual(on, mu, tick), onProgress);
   }
 
   /** Back to the loaded mesh; both sides if none is named. */
@@ -248,10 +269,10 @@ export class Session {
     options: SyncOptions,
     work: (raw: RawSession, side: RawSide, tick: Tick | undefined) => Reply<T>,
   ): T {
-    const copy = operatorSpec(spec);
+    const { id, settings, vertexWeights } = operatorParts(spec);
     const { side, onProgress } = optionsOf(options);
     const on = this.#side(side);
-    this.#call((raw) => raw.setOperator(on, copy));
+    this.#call((raw) => raw.setOperator(on, id, settings, vertexWeights));
     return this.#call((raw, tick) => work(raw, on, tick), onProgress);
   }
 

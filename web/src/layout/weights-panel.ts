@@ -1,7 +1,7 @@
 import { type App, rowLimit } from '../app.js';
 import { h } from '../dom.js';
 import { count, plural, weight } from '../format.js';
-import type { Mesh, operators, Side, Weights } from '../polylap.js';
+import { type Mesh, properties, type Side, type Weights } from '../polylap.js';
 import { wideLimit } from '../scene/lines.js';
 import { sparseRow } from '../sparse-row.js';
 import { operatorOf, sides } from '../state.js';
@@ -13,14 +13,6 @@ const rowsShown = 24;
 /** As for the counts: what is smaller beside the diagonal has no sign. */
 const rounding = 1e-10;
 
-const claimNames: Record<keyof (typeof operators)[number]['claims'], string> = {
-  symmetric: 'symmetric',
-  positiveSemidefinite: 'positive semi-definite',
-  constantsInKernel: 'constants in kernel',
-  linearPrecision: 'linear precision',
-  positiveWeights: 'weights ≥ 0',
-};
-
 /** What the weights are: extremes, the row of the selected vertex, what the operators promise. */
 export function weightsPanel(app: App): HTMLElement {
   const extremes = sideTable('Weights', [
@@ -31,7 +23,7 @@ export function weightsPanel(app: App): HTMLElement {
   const row = h('div', { class: 'row' });
   const claims = sideTable(
     'What the operators promise',
-    Object.entries(claimNames).map(([id, name]) => ({ id, name })),
+    properties.map(({ id, label }) => ({ id, name: label })),
     'brief',
   );
   const element = h(
@@ -69,8 +61,7 @@ export function weightsPanel(app: App): HTMLElement {
       (state) => [state.sides[side].operator],
       () => {
         const promised = operatorOf(app.state.get().sides[side]).claims;
-        for (const id of Object.keys(claimNames) as (keyof typeof claimNames)[])
-          claims.set(id, side, { text: promised[id] });
+        for (const { id } of properties) claims.set(id, side, { text: promised[id].where });
       },
     );
   }

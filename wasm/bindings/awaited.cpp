@@ -1,0 +1,62 @@
+// Stands in for declared parts of the core until they have landed; each definition is weak and gives way. To be
+// removed.
+#include <array>
+
+#include "polylap/apply/convergence.hpp"
+#include "polylap/apply/conversions.hpp"
+#include "polylap/mesh/mesh_io.hpp"
+#include "polylap/session.hpp"
+
+#define AWAITED __attribute__((weak))
+
+namespace polylap {
+namespace {
+const Error awaited{ErrorCode::bad_argument, "this part of the core has not been built yet"};
+Result<PolygonMesh> not_yet(const PolygonMesh& mesh, std::span<const double> values) {
+    (void)mesh;
+    (void)values;
+    return awaited;
+}
+constexpr ConversionInfo dual_info{
+    "dual", "Dual mesh", "A vertex for each face, a face for each inner vertex.", {}, not_yet};
+}  // namespace
+AWAITED Result<std::string> write_mesh(const PolygonMesh& mesh, MeshFormat format) {
+    if (format != MeshFormat::obj) return awaited;
+    return write_obj(mesh);
+}
+AWAITED Result<MeshFormat> format_of(std::string_view name) {
+    if (name.ends_with(".obj")) return MeshFormat::obj;
+    return awaited;
+}
+AWAITED std::span<const ConversionInfo* const> conversions() noexcept {
+    static constexpr std::array table{&dual_info};
+    return table;
+}
+AWAITED Result<PolygonMesh> convert(const PolygonMesh&, std::string_view, Settings) {
+    return awaited;
+}
+AWAITED std::string_view repair_name(RepairChange::Kind) noexcept {
+    return "merged-vertices";
+}
+AWAITED Result<std::vector<ConvergenceStudy>> study_convergence(const OperatorSpec&, Monitor) {
+    return awaited;
+}
+AWAITED Result<OrthogonalDual> Session::dual(Side, DualOptions, Monitor) {
+    return awaited;
+}
+AWAITED Result<const PropertyReport*> Session::check(Side, Monitor) {
+    return awaited;
+}
+AWAITED Result<Session> Session::open(std::span<const std::byte> bytes, std::string_view name, const OpenOptions&,
+                                      Monitor monitor) {
+    return open(bytes, name, monitor);
+}
+AWAITED const std::vector<std::string>& Session::notes() const noexcept {
+    static const std::vector<std::string> none;
+    return none;
+}
+AWAITED const Session::Repairs& Session::repairs() const noexcept {
+    static const Repairs none;
+    return none;
+}
+}  // namespace polylap

@@ -1,0 +1,241 @@
+// Session for JavaScript. No algorithms: arguments come in, JavaScript values go out (see values.hpp).
+
+#include <algorithm>
+
+#include <emscripten/bind.h>
+
+#include "polylap/apply/conversions.hpp"
+#include "polylap/apply/noise.hpp"
+#include "polylap/mesh/mesh_io.hpp"
+#include "polylap/mesh/shapes.hpp"
+#include "results.hpp"
+
+namespace polylap::js {
+namespace {
+
+using Side = Session::Side;
+
+// ---- Making a session ----
+
+Result<val> owned(Result<Session> session) {
+    if (!session) return session.error();
+    return val(std::make_shared<Session>(std::move(*session)));
+}
+
+val open(const val& bytes, const std::string& name, bool repair, double merge_distance, val callback) {
+    return guarded([&] {
+        const auto data = emscripten::convertJSArrayToNumberVector<std::uint8_t>(bytes);
+        Tick tick(std::move(callback));
+        const Session::OpenOptions options{.repair = repair, .repair_options = {.merge_distance = merge_distance}};
+        return owned(Session::open(std::as_bytes(std::span(data)), name, options, tick.monitor()));
+    });
+}
+
+val make(const std::string& id, const val& settings, double noise, std::uint32_t seed) {
+    return guarded([&]() -> Result<val> {
+        auto mesh = make_shape(id, settings_of(settings));
+        if (mesh && noise != 0) mesh = add_normal_noise(*mesh, noise, seed);
+        if (!mesh) return mesh.error();
+        return owned(Session::from_mesh(*std::move(mesh)));
+    });
+}
+
+val convert_surface(const Session& session, Side side, const std::string& id, const val& settings) {
+    return guarded([&]() -> Result<val> {
+        auto mesh = convert(session.surface(side), id, settings_of(settings));
+        if (!mesh) return mesh.error();
+        return owned(Session::from_mesh(*std::move(mesh)));
+    });
+}
+
+// ---- Reading a session ----
+
+val info(const Session& session) {
+    return guarded([&]() -> Result<val> {
+        const PolygonMesh& mesh = session.mesh();
+        const Topology& topology = session.topology();
+        Index fewest = mesh.vertex_count(), most = 0;
+        for (Index f = 0; f < mesh.face_count(); ++f) {
+            const auto corners = static_cast<Index>(mesh.face(f).size());
+            fewest = std::min(fewest, corners);
+            most = std::max(most, corners);
+        }
+        const auto told_issue = [](const MeshIssue& issue) {
+            return object(entry("kind", std::string(issue_name(issue.kind))), entry("count", issue.count),
+                          entry("message", issue.message));
+        };
+        return object(entry("vertices", mesh.vertex_count()), entry("faces", mesh.face_count()),
+                      entry("edges", static_cast<double>(topology.edges.size())),
+                      entry("components", topology.component_count), entry("minCorners", fewest),
+                      entry("maxCorners", most),
+                      entry("meanSquaredEdge", measure_shape(mesh, topology).mean_squared_edge),
+                      entry("boundary", array(topology.boundary_vertices)),
+                      entry("issues", list(find_issues(topology), told_issue)),
+                      entry("notes", list(session.notes(), [](const std::string& note) { return note; })),
+                      entry("repairs", told(session.repairs())));
+    });
+}
+
+/// Of the surface of side a: the loaded mesh, as long as nothing has smoothed it.
+val geometry(const Session& session) {
+    return guarded([&]() -> Result<val> {
+        const Connectivity& connectivity = *session.mesh().connectivity();
+        const DisplayTriangles& display = session.display();
+        static_assert(sizeof(display.triangles[0]) == 3 * sizeof(Index));
+        return object(
+            entry("origin", triple(session.origin())), entry("positions", array(session.float_positions(Side::a))),
+            entry("offsets", array(connectivity.offsets)), entry("corners", array(connectivity.corners)),
+            entry("triangles",
+                  array(reinterpret_cast<const Index*>(display.triangles.data()), 3 * display.triangles.size())),
+            entry("triangleEdges", array(display.edges)), entry("triangleFaces", array(display.face)));
+    });
+}
+
+val surface(const Session& session, Side side) {
+    return guarded([&]() -> Result<val> {
+        const Points& points = session.surface(side).positions();
+        return object(entry("step", session.step_count(side)), entry("positions", array(session.float_positions(side))),
+                      entry("coordinates", array(points.data(), static_cast<std::size_t>(points.size()))),
+                      entry("stats", told(session.shape(side))));
+    });
+}
+
+val shape(const Session& session, Side side) {
+    return guarded([&]() -> Result<val> { return told(session.shape(side)); });
+}
+
+/// As bytes: not all formats are text.
+val file(const Session& session, Side side, const std::string& ending) {
+    return guarded([&]() -> Result<val> {
+        const auto format = format_of('.' + ending);
+        if (!format) return format.error();
+        const auto contents = write_mesh(session.surface(side), *format);
+        if (!contents) return contents.error();
+        return array(reinterpret_cast<const std::uint8_t*>(contents->data()), contents->size());
+    });
+}
+
+// ---- Working on a session ----
+
+val set_operator(Session& session, Side side, const std::string& id, const val& settings, const val& vertex_weights) {
+    return guarded([&]() -> Result<val> {
+        auto spec = spec_of(id, settings, vertex_weights);
+        if (!spec) return spec.error();
+        return nothing(session.set_operator(side, *std::move(spec)));
+    });
+}
+
+val weights(Session& session, Side side, val callback) {
+    return guarded([&]() -> Result<val> {
+        Tick tick(std::move(callback));
+        const auto weights = session.weights(side, tick.monitor());
+        if (!weights) return weights.error();
+        return told(*weights);
+    });
+}
+
+val smooth(Session& session, Side side, double time, int steps, bool rebuild, val callback) {
+    return guarded([&] {
+        Tick tick(std::move(callback));
+        return nothing(session.smooth(side, {.time = time, .steps = steps, .rebuild = rebuild}, tick.monitor()));
+    });
+}
+
+val harmonic(Session& session, Side side, const val& vertices, const val& values, val callback) {
+    return guarded([&]() -> Result<val> {
+        Tick tick(std::move(callback));
+        const auto fixed = emscripten::convertJSArrayToNumberVector<Index>(vertices);
+        const auto given = emscripten::convertJSArrayToNumberVector<double>(values);
+        const auto harmonic = session.harmonic(side, fixed, given, tick.monitor());
+        if (!harmonic) return harmonic.error();
+        return told(*harmonic);
+    });
+}
+
+val matrices(Session& session, Side side, val callback) {
+    return guarded([&]() -> Result<val> {
+        Tick tick(std::move(callback));
+        const auto matrices = session.matrices(side, tick.monitor());
+        if (!matrices) return matrices.error();
+        return object(entry("stiffness", sparse((*matrices)->stiffness)), entry("mass", sparse((*matrices)->mass)));
+    });
+}
+
+val check(Session& session, Side side, val callback) {
+    return guarded([&]() -> Result<val> {
+        Tick tick(std::move(callback));
+        const auto report = session.check(side, tick.monitor());
+        if (!report) return report.error();
+        return told(**report);
+    });
+}
+
+val dual(Session& session, Side side, double mu, val callback) {
+    return guarded([&]() -> Result<val> {
+        Tick tick(std::move(callback));
+        const auto dual = session.dual(side, {.mu = mu}, tick.monitor());
+        if (!dual) return dual.error();
+        return told(*dual, session.origin());
+    });
+}
+
+val convergence(const std::string& id, const val& settings, const val& vertex_weights, val callback) {
+    return guarded([&]() -> Result<val> {
+        const auto spec = spec_of(id, settings, vertex_weights);
+        if (!spec) return spec.error();
+        Tick tick(std::move(callback));
+        const auto studies = study_convergence(*spec, tick.monitor());
+        if (!studies) return studies.error();
+        return list(*studies, [](const ConvergenceStudy& study) { return told(study); });
+    });
+}
+
+val reset(Session& session, Side side) {
+    return guarded([&]() -> Result<val> {
+        session.reset(side);
+        return val::undefined();
+    });
+}
+
+val restore(Session& session, Side side, const val& coordinates, int steps) {
+    return guarded([&]() -> Result<val> {
+        const auto data = emscripten::convertJSArrayToNumberVector<double>(coordinates);
+        if (data.size() % 3 != 0) return Error{ErrorCode::bad_argument, "coordinates must come in threes"};
+        return nothing(session.restore(
+            side, Eigen::Map<const Points>(data.data(), static_cast<Eigen::Index>(data.size() / 3), 3), steps));
+    });
+}
+
+}  // namespace
+}  // namespace polylap::js
+
+EMSCRIPTEN_BINDINGS(polylap_session) {
+    using emscripten::class_;
+    using emscripten::function;
+    using namespace polylap::js;
+    using polylap::Session;
+
+    emscripten::enum_<Session::Side>("Side").value("a", Session::Side::a).value("b", Session::Side::b);
+
+    class_<Session>("Session")
+        .smart_ptr<std::shared_ptr<Session>>("SharedSession")
+        .function("info", &info)
+        .function("geometry", &geometry)
+        .function("surface", &surface)
+        .function("shape", &shape)
+        .function("file", &file)
+        .function("convert", &convert_surface)
+        .function("setOperator", &set_operator)
+        .function("weights", &weights)
+        .function("smooth", &smooth)
+        .function("harmonic", &harmonic)
+        .function("matrices", &matrices)
+        .function("check", &check)
+        .function("dual", &dual)
+        .function("reset", &reset)
+        .function("restore", &restore);
+
+    function("open", &open);
+    function("make", &make);
+    function("convergence", &convergence);
+}
