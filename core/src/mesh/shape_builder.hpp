@@ -83,7 +83,24 @@ inline Index count_of(double value) {
 }
 
 extern const ShapeInfo grid_shape;
+extern const ShapeInfo skew_grid_shape;
 extern const ShapeInfo saddle_shape;
 extern const ShapeInfo torus_shape;
+extern const ShapeInfo uv_sphere_shape;
+extern const ShapeInfo ico_sphere_shape;
+extern const ShapeInfo hexagon_sphere_shape;
+extern const ShapeInfo cube_shape;
+extern const ShapeInfo cube_sphere_shape;
+extern const ShapeInfo cylinder_shape;
+extern const ShapeInfo disc_shape;
+extern const ShapeInfo concave_hexagons_shape;
+extern const ShapeInfo voronoi_shape;
+extern const ShapeInfo l_tiles_shape;
+extern const ShapeInfo tetris_shape;
+extern const ShapeInfo polygon_shape;
+extern const ShapeInfo star_shape;
+extern const ShapeInfo wavy_polygon_shape;
+extern const ShapeInfo trapezium_shape;
+extern const ShapeInfo two_components_shape;
 
 }  // namespace polylap
