@@ -23,9 +23,12 @@ struct ConvergenceStudy {
     bool planar_faces = false;  ///< All faces of all its meshes lie in planes.
     std::vector<ConvergenceLevel> levels;
     double order = 0;        ///< Of the last two levels.
-    bool converges = false;  ///< order > ½ and the last error is below the first.
+    bool converges = false;  ///< On all levels: order > least_order, and the last error is below the first.
     std::string failure;     ///< Why there are no more levels, e.g. the operator refused a mesh; else empty.
 };
+
+/// Below this order errors do not shrink reliably.
+inline constexpr double least_order = 0.5;
 
 /// Solves Dirichlet problems on refined planar meshes and Poisson problems on refined spheres with one operator: the
 /// property Con of Wardetzky et al. 2007. Vertex weights are those of other meshes and do not enter.
