@@ -65,6 +65,23 @@ export interface GridShape {
   seed?: number;
 }
 
+/** Skewed grid. Parallelograms of growing size in the plane. */
+export interface SkewGridShape {
+  shape: 'skew-grid';
+  /** cells along x; whole, in [1, 2000]; default 8. */
+  nx?: number;
+  /** cells along y; whole, in [1, 2000]; default 8. */
+  ny?: number;
+  /** shear; how far the upper side is moved along x; in [0, 100]; default 0.5. */
+  shear?: number;
+  /** stretch; how much faster the spacing is at the end than at the start; in [1, 100]; default 3. */
+  stretch?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; a whole number below 2³²; default 1. */
+  seed?: number;
+}
+
 /** Saddle. A square grid lifted to x² − y²: none of its quads is planar. */
 export interface SaddleShape {
   shape: 'saddle';
@@ -95,8 +112,210 @@ export interface TorusShape {
   seed?: number;
 }
 
+/** Sphere of meridians. Planar quads, and triangles around both poles. */
+export interface UvSphereShape {
+  shape: 'uv-sphere';
+  /** meridians; whole, in [3, 2000]; default 32. */
+  nu?: number;
+  /** bands; from pole to pole; whole, in [2, 2000]; default 16. */
+  nv?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; a whole number below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Sphere of triangles. An icosahedron whose triangles are cut into four again and again. */
+export interface IcoSphereShape {
+  shape: 'ico-sphere';
+  /** level; how often each triangle is cut into four; whole, in [0, 8]; default 3. */
+  level?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; a whole number below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Sphere of hexagons. The dual of the sphere of triangles: twelve pentagons among hexagons. */
+export interface HexagonSphereShape {
+  shape: 'hexagon-sphere';
+  /** level; 0 is the dodecahedron; whole, in [0, 8]; default 3. */
+  level?: number;
+  /** vertices; on the sphere, or where all faces are flat and touch it; default on-sphere. */
+  kind?: 'on-sphere' | 'flat';
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; a whole number below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Cube. Squares on the sides of a cube of edge 1. */
+export interface CubeShape {
+  shape: 'cube';
+  /** quads an edge; whole, in [1, 500]; default 8. */
+  n?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; a whole number below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Sphere of quads. A cube of n × n quads a side, blown up to a ball. */
+export interface CubeSphereShape {
+  shape: 'cube-sphere';
+  /** quads an edge; whole, in [1, 500]; default 8. */
+  n?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; a whole number below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Cylinder. Planar quads around a tube that is open at both ends. */
+export interface CylinderShape {
+  shape: 'cylinder';
+  /** quads around; whole, in [3, 2000]; default 24. */
+  nu?: number;
+  /** quads along; whole, in [1, 2000]; default 8. */
+  nv?: number;
+  /** radius; in [0.01, 1000000]; default 0.5. */
+  radius?: number;
+  /** height; in [0.01, 1000000]; default 1. */
+  height?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; a whole number below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Disc. A polygon and rings of planar quads around it. */
+export interface DiscShape {
+  shape: 'disc';
+  /** corners a ring; whole, in [3, 2000]; default 12. */
+  n?: number;
+  /** rings; whole, in [0, 2000]; default 5. */
+  rings?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; a whole number below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Concave hexagons. The plane tiled by hexagons with two concave corners each. */
+export interface ConcaveHexagonsShape {
+  shape: 'concave-hexagons';
+  /** hexagons a row; whole, in [1, 1000]; default 6. */
+  nx?: number;
+  /** rows; whole, in [1, 2000]; default 12. */
+  ny?: number;
+  /** depth; how far the long sides are pushed in; 0: bricks; in [0, 0.95]; default 0.4. */
+  depth?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; a whole number below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Voronoi cells. Convex polygons of three to about ten corners in a rectangle. */
+export interface VoronoiShape {
+  shape: 'voronoi';
+  /** cells a row; whole, in [1, 1000]; default 12. */
+  nx?: number;
+  /** rows; whole, in [1, 1000]; default 12. */
+  ny?: number;
+  /** jitter; how far the sites are shaken; 0: regular hexagons; in [0, 1]; default 0.7. */
+  jitter?: number;
+  /** seed; another seed, another mesh; the same on every platform; whole, in [0, 2147483647]; default 1. */
+  seed?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+}
+
+/** L tiles. A rectangle cut into L-shaped polygons with ten corners each. */
+export interface LTilesShape {
+  shape: 'l-tiles';
+  /** pairs along x; whole, in [1, 500]; default 3. */
+  nx?: number;
+  /** pairs along y; whole, in [1, 1000]; default 6. */
+  ny?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; a whole number below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Tetris. A rectangle cut into T, L, J and S pieces with ten corners each. */
+export interface TetrisShape {
+  shape: 'tetris';
+  /** blocks along x; whole, in [1, 500]; default 3. */
+  nx?: number;
+  /** blocks along y; whole, in [1, 500]; default 3. */
+  ny?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; a whole number below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Polygon. One regular polygon. */
+export interface PolygonShape {
+  shape: 'polygon';
+  /** corners; whole, in [3, 10000]; default 6. */
+  n?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; a whole number below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Star. One concave polygon. */
+export interface StarShape {
+  shape: 'star';
+  /** points; whole, in [3, 5000]; default 5. */
+  points?: number;
+  /** inner radius; radius of the corners between the points; in [0.05, 1]; default 0.4. */
+  inner?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; a whole number below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Wavy polygon. One polygon that lies in no plane: regular seen from above, twice up and twice down. */
+export interface WavyPolygonShape {
+  shape: 'wavy-polygon';
+  /** corners; whole, in [4, 10000]; default 6. */
+  n?: number;
+  /** height; from the lowest to the highest corner or nearly so; in [0, 100]; default 0.5. */
+  height?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; a whole number below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Trapezium. The face of Herholz 2012, Table 4.1. */
+export interface TrapeziumShape {
+  shape: 'trapezium';
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; a whole number below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Two components. An open saddle beneath a closed sphere. */
+export interface TwoComponentsShape {
+  shape: 'two-components';
+  /** quads an edge; whole, in [1, 500]; default 6. */
+  n?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; a whole number below 2³²; default 1. */
+  seed?: number;
+}
+
 /** Which shape to make; what is left out takes its default. */
-export type ShapeSpec = GridShape | SaddleShape | TorusShape;
+export type ShapeSpec = GridShape | SkewGridShape | SaddleShape | TorusShape | UvSphereShape | IcoSphereShape | HexagonSphereShape | CubeShape | CubeSphereShape | CylinderShape | DiscShape | ConcaveHexagonsShape | VoronoiShape | LTilesShape | TetrisShape | PolygonShape | StarShape | WavyPolygonShape | TrapeziumShape | TwoComponentsShape;
 
 /** Dual mesh. A vertex for each face, a face for each inner vertex. */
 export interface DualConversion {
@@ -322,6 +541,57 @@ export const shapes: readonly MakerInfo[] = [
     ],
   },
   {
+    id: 'skew-grid',
+    label: 'Skewed grid',
+    summary: 'Parallelograms of growing size in the plane.',
+    parameters: [
+      {
+        id: 'nx',
+        label: 'cells along x',
+        hint: '',
+        kind: 'integer',
+        min: 1,
+        max: 2000,
+        sliderMax: 64,
+        step: 1,
+        initial: 8,
+      },
+      {
+        id: 'ny',
+        label: 'cells along y',
+        hint: '',
+        kind: 'integer',
+        min: 1,
+        max: 2000,
+        sliderMax: 64,
+        step: 1,
+        initial: 8,
+      },
+      {
+        id: 'shear',
+        label: 'shear',
+        hint: 'how far the upper side is moved along x',
+        kind: 'real',
+        min: 0,
+        max: 100,
+        sliderMax: 2,
+        step: 0.01,
+        initial: 0.5,
+      },
+      {
+        id: 'stretch',
+        label: 'stretch',
+        hint: 'how much faster the spacing is at the end than at the start',
+        kind: 'real',
+        min: 1,
+        max: 100,
+        sliderMax: 10,
+        step: 0.1,
+        initial: 3,
+      },
+    ],
+  },
+  {
     id: 'saddle',
     label: 'Saddle',
     summary: 'A square grid lifted to x² − y²: none of its quads is planar.',
@@ -398,6 +668,447 @@ export const shapes: readonly MakerInfo[] = [
         sliderMax: 10,
         step: 0.01,
         initial: 0.4,
+      },
+    ],
+  },
+  {
+    id: 'uv-sphere',
+    label: 'Sphere of meridians',
+    summary: 'Planar quads, and triangles around both poles.',
+    parameters: [
+      {
+        id: 'nu',
+        label: 'meridians',
+        hint: '',
+        kind: 'integer',
+        min: 3,
+        max: 2000,
+        sliderMax: 128,
+        step: 1,
+        initial: 32,
+      },
+      {
+        id: 'nv',
+        label: 'bands',
+        hint: 'from pole to pole',
+        kind: 'integer',
+        min: 2,
+        max: 2000,
+        sliderMax: 64,
+        step: 1,
+        initial: 16,
+      },
+    ],
+  },
+  {
+    id: 'ico-sphere',
+    label: 'Sphere of triangles',
+    summary: 'An icosahedron whose triangles are cut into four again and again.',
+    parameters: [
+      {
+        id: 'level',
+        label: 'level',
+        hint: 'how often each triangle is cut into four',
+        kind: 'integer',
+        min: 0,
+        max: 8,
+        sliderMax: 5,
+        step: 1,
+        initial: 3,
+      },
+    ],
+  },
+  {
+    id: 'hexagon-sphere',
+    label: 'Sphere of hexagons',
+    summary: 'The dual of the sphere of triangles: twelve pentagons among hexagons.',
+    parameters: [
+      {
+        id: 'level',
+        label: 'level',
+        hint: '0 is the dodecahedron',
+        kind: 'integer',
+        min: 0,
+        max: 8,
+        sliderMax: 5,
+        step: 1,
+        initial: 3,
+      },
+      {
+        id: 'kind',
+        label: 'vertices',
+        hint: 'on the sphere, or where all faces are flat and touch it',
+        kind: 'choice',
+        choices: [
+          'on-sphere',
+          'flat',
+        ],
+        initial: 'on-sphere',
+      },
+    ],
+  },
+  {
+    id: 'cube',
+    label: 'Cube',
+    summary: 'Squares on the sides of a cube of edge 1.',
+    parameters: [
+      {
+        id: 'n',
+        label: 'quads an edge',
+        hint: '',
+        kind: 'integer',
+        min: 1,
+        max: 500,
+        sliderMax: 32,
+        step: 1,
+        initial: 8,
+      },
+    ],
+  },
+  {
+    id: 'cube-sphere',
+    label: 'Sphere of quads',
+    summary: 'A cube of n × n quads a side, blown up to a ball.',
+    parameters: [
+      {
+        id: 'n',
+        label: 'quads an edge',
+        hint: '',
+        kind: 'integer',
+        min: 1,
+        max: 500,
+        sliderMax: 32,
+        step: 1,
+        initial: 8,
+      },
+    ],
+  },
+  {
+    id: 'cylinder',
+    label: 'Cylinder',
+    summary: 'Planar quads around a tube that is open at both ends.',
+    parameters: [
+      {
+        id: 'nu',
+        label: 'quads around',
+        hint: '',
+        kind: 'integer',
+        min: 3,
+        max: 2000,
+        sliderMax: 128,
+        step: 1,
+        initial: 24,
+      },
+      {
+        id: 'nv',
+        label: 'quads along',
+        hint: '',
+        kind: 'integer',
+        min: 1,
+        max: 2000,
+        sliderMax: 64,
+        step: 1,
+        initial: 8,
+      },
+      {
+        id: 'radius',
+        label: 'radius',
+        hint: '',
+        kind: 'real',
+        min: 0.01,
+        max: 1000000,
+        sliderMax: 10,
+        step: 0.01,
+        initial: 0.5,
+      },
+      {
+        id: 'height',
+        label: 'height',
+        hint: '',
+        kind: 'real',
+        min: 0.01,
+        max: 1000000,
+        sliderMax: 10,
+        step: 0.01,
+        initial: 1,
+      },
+    ],
+  },
+  {
+    id: 'disc',
+    label: 'Disc',
+    summary: 'A polygon and rings of planar quads around it.',
+    parameters: [
+      {
+        id: 'n',
+        label: 'corners a ring',
+        hint: '',
+        kind: 'integer',
+        min: 3,
+        max: 2000,
+        sliderMax: 64,
+        step: 1,
+        initial: 12,
+      },
+      {
+        id: 'rings',
+        label: 'rings',
+        hint: '',
+        kind: 'integer',
+        min: 0,
+        max: 2000,
+        sliderMax: 32,
+        step: 1,
+        initial: 5,
+      },
+    ],
+  },
+  {
+    id: 'concave-hexagons',
+    label: 'Concave hexagons',
+    summary: 'The plane tiled by hexagons with two concave corners each.',
+    parameters: [
+      {
+        id: 'nx',
+        label: 'hexagons a row',
+        hint: '',
+        kind: 'integer',
+        min: 1,
+        max: 1000,
+        sliderMax: 32,
+        step: 1,
+        initial: 6,
+      },
+      {
+        id: 'ny',
+        label: 'rows',
+        hint: '',
+        kind: 'integer',
+        min: 1,
+        max: 2000,
+        sliderMax: 64,
+        step: 1,
+        initial: 12,
+      },
+      {
+        id: 'depth',
+        label: 'depth',
+        hint: 'how far the long sides are pushed in; 0: bricks',
+        kind: 'real',
+        min: 0,
+        max: 0.95,
+        sliderMax: 0.95,
+        step: 0.01,
+        initial: 0.4,
+      },
+    ],
+  },
+  {
+    id: 'voronoi',
+    label: 'Voronoi cells',
+    summary: 'Convex polygons of three to about ten corners in a rectangle.',
+    parameters: [
+      {
+        id: 'nx',
+        label: 'cells a row',
+        hint: '',
+        kind: 'integer',
+        min: 1,
+        max: 1000,
+        sliderMax: 48,
+        step: 1,
+        initial: 12,
+      },
+      {
+        id: 'ny',
+        label: 'rows',
+        hint: '',
+        kind: 'integer',
+        min: 1,
+        max: 1000,
+        sliderMax: 48,
+        step: 1,
+        initial: 12,
+      },
+      {
+        id: 'jitter',
+        label: 'jitter',
+        hint: 'how far the sites are shaken; 0: regular hexagons',
+        kind: 'real',
+        min: 0,
+        max: 1,
+        sliderMax: 1,
+        step: 0.01,
+        initial: 0.7,
+      },
+      {
+        id: 'seed',
+        label: 'seed',
+        hint: 'another seed, another mesh; the same on every platform',
+        kind: 'integer',
+        min: 0,
+        max: 2147483647,
+        sliderMax: 100,
+        step: 1,
+        initial: 1,
+      },
+    ],
+  },
+  {
+    id: 'l-tiles',
+    label: 'L tiles',
+    summary: 'A rectangle cut into L-shaped polygons with ten corners each.',
+    parameters: [
+      {
+        id: 'nx',
+        label: 'pairs along x',
+        hint: '',
+        kind: 'integer',
+        min: 1,
+        max: 500,
+        sliderMax: 16,
+        step: 1,
+        initial: 3,
+      },
+      {
+        id: 'ny',
+        label: 'pairs along y',
+        hint: '',
+        kind: 'integer',
+        min: 1,
+        max: 1000,
+        sliderMax: 32,
+        step: 1,
+        initial: 6,
+      },
+    ],
+  },
+  {
+    id: 'tetris',
+    label: 'Tetris',
+    summary: 'A rectangle cut into T, L, J and S pieces with ten corners each.',
+    parameters: [
+      {
+        id: 'nx',
+        label: 'blocks along x',
+        hint: '',
+        kind: 'integer',
+        min: 1,
+        max: 500,
+        sliderMax: 16,
+        step: 1,
+        initial: 3,
+      },
+      {
+        id: 'ny',
+        label: 'blocks along y',
+        hint: '',
+        kind: 'integer',
+        min: 1,
+        max: 500,
+        sliderMax: 16,
+        step: 1,
+        initial: 3,
+      },
+    ],
+  },
+  {
+    id: 'polygon',
+    label: 'Polygon',
+    summary: 'One regular polygon.',
+    parameters: [
+      {
+        id: 'n',
+        label: 'corners',
+        hint: '',
+        kind: 'integer',
+        min: 3,
+        max: 10000,
+        sliderMax: 24,
+        step: 1,
+        initial: 6,
+      },
+    ],
+  },
+  {
+    id: 'star',
+    label: 'Star',
+    summary: 'One concave polygon.',
+    parameters: [
+      {
+        id: 'points',
+        label: 'points',
+        hint: '',
+        kind: 'integer',
+        min: 3,
+        max: 5000,
+        sliderMax: 16,
+        step: 1,
+        initial: 5,
+      },
+      {
+        id: 'inner',
+        label: 'inner radius',
+        hint: 'radius of the corners between the points',
+        kind: 'real',
+        min: 0.05,
+        max: 1,
+        sliderMax: 1,
+        step: 0.01,
+        initial: 0.4,
+      },
+    ],
+  },
+  {
+    id: 'wavy-polygon',
+    label: 'Wavy polygon',
+    summary: 'One polygon that lies in no plane: regular seen from above, twice up and twice down.',
+    parameters: [
+      {
+        id: 'n',
+        label: 'corners',
+        hint: '',
+        kind: 'integer',
+        min: 4,
+        max: 10000,
+        sliderMax: 24,
+        step: 1,
+        initial: 6,
+      },
+      {
+        id: 'height',
+        label: 'height',
+        hint: 'from the lowest to the highest corner or nearly so',
+        kind: 'real',
+        min: 0,
+        max: 100,
+        sliderMax: 2,
+        step: 0.01,
+        initial: 0.5,
+      },
+    ],
+  },
+  {
+    id: 'trapezium',
+    label: 'Trapezium',
+    summary: 'The face of Herholz 2012, Table 4.1.',
+    parameters: [],
+  },
+  {
+    id: 'two-components',
+    label: 'Two components',
+    summary: 'An open saddle beneath a closed sphere.',
+    parameters: [
+      {
+        id: 'n',
+        label: 'quads an edge',
+        hint: '',
+        kind: 'integer',
+        min: 1,
+        max: 500,
+        sliderMax: 32,
+        step: 1,
+        initial: 6,
       },
     ],
   },
