@@ -13,7 +13,7 @@ export default defineConfig({
   root,
   test: {
     projects: [
-      project('repo'),
+      project('repo', { testTimeout: 60_000 }),
       project('wasm', { testTimeout: 60_000 }),
       // One browser at a time: it draws in software, and shares two cores with the page's worker.
       project('web', { testTimeout: 120_000, hookTimeout: 120_000, fileParallelism: false }),

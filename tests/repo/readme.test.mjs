@@ -3,8 +3,8 @@ import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { delimiter, join } from 'node:path';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { buildPackage } from '../../.ci/build.mjs';
-import { operatorTable, root } from './files.mjs';
-import { codeBlocks, updated } from './readme.mjs';
+import { root } from './files.mjs';
+import { codeBlocks, readTables, updated } from './readme.mjs';
 
 const readme = readFileSync(join(root, 'README.md'), 'utf8');
 const scratch = join(root, 'build/readme');
@@ -16,10 +16,14 @@ beforeAll(() => {
   mkdirSync(scratch, { recursive: true });
 });
 
-it('shows the operator table as it is (else run: npm run generate)', () => {
-  expect(updated(readme, operatorTable())).toBe(readme);
-  const longer = [...operatorTable(), { ...operatorTable()[0], id: 'one-more' }];
-  expect(updated(readme, longer)).not.toBe(readme);
+it('shows the operators and their claims as they are (else run: npm run generate)', async () => {
+  const tables = await readTables();
+  expect(updated(readme, tables)).toBe(readme);
+  const [first, ...rest] = tables.operators;
+  const others = (operators) => updated(readme, { ...tables, operators });
+  expect(others([...tables.operators, { ...first, id: 'one-more' }])).not.toBe(readme);
+  const claims = { ...first.claims, local: { ...first.claims.local, why: 'for another reason' } };
+  expect(others([{ ...first, claims }, ...rest])).not.toBe(readme);
 });
 
 it('shows the C++ program that the consumer tests build and run', () => {

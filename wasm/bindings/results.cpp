@@ -118,6 +118,7 @@ val told(const ConvergenceStudy& study) {
                       entry("order", one.order));
     };
     return object(entry("family", study.family), entry("problem", study.problem),
+                  entry("onlyTriangles", study.only_triangles), entry("planarFaces", study.planar_faces),
                   entry("levels", list(study.levels, level)), entry("order", study.order),
                   entry("converges", study.converges), entry("failure", study.failure));
 }

@@ -349,7 +349,7 @@ export interface Client {
     name: string,
     run?: Omit<RunOptions, 'side'> & OpenOptions,
   ): Promise<Mesh>;
-  make(shape: ShapeSpec): Promise<Mesh>;
+  make(shape: ShapeSpec, run?: Omit<RunOptions, 'side'>): Promise<Mesh>;
   /** A study on meshes of its own: does the operator converge under refinement? */
   convergence(spec: OperatorSpec, run?: Omit<RunOptions, 'side'>): Promise<ConvergenceStudy[]>;
   /** Called when the worker died or was ended to cancel, and has been started again with all meshes as they were. */
