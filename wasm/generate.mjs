@@ -33,7 +33,7 @@ function literal(value, indent = '') {
 
 const makerNoise = [
   '  /** Noise along the normals, in mean edge lengths; default 0. */\n  noise?: number;\n',
-  '  /** Of the noise; a whole number below 2³²; default 1. */\n  seed?: number;\n',
+  '  /** Of the noise; whole, below 2³²; default 1. */\n  seed?: number;\n',
 ];
 
 /** An interface: what it is by `tag`, then every parameter, all optional. */

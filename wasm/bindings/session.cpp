@@ -31,9 +31,20 @@ val open(const val& bytes, const std::string& name, bool repair, double merge_di
     });
 }
 
+bool is_seed(std::string_view name) {
+    return name == "seed";
+}
+
 val make(const std::string& id, const val& settings, double noise, std::uint32_t seed) {
     return guarded([&]() -> Result<val> {
-        auto mesh = make_shape(id, settings_of(settings));
+        const auto info = find_shape(id);
+        if (!info) return info.error();
+        auto given = settings_of(settings);
+        // The seed is the noise's, and that of the shape itself where it has one.
+        const auto& parameters = (*info)->parameters;
+        if (std::none_of(parameters.begin(), parameters.end(), [](const Parameter& p) { return is_seed(p.id); }))
+            std::erase_if(given, [](const auto& setting) { return is_seed(setting.first); });
+        auto mesh = make_shape(id, given);
         if (mesh && noise != 0) mesh = add_normal_noise(*mesh, noise, seed);
         if (!mesh) return mesh.error();
         return owned(Session::from_mesh(*std::move(mesh)));

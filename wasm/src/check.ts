@@ -133,9 +133,10 @@ export function ownOperator(spec: OperatorSpec): OperatorSpec {
   return { id, ...parameters, ...(vertexWeights && { vertexWeights }) } as OperatorSpec;
 }
 
-/** A shape: `{shape: id, …}`, copied; its own parameters apart from the noise that any shape takes. */
+/** A shape: `{shape: id, …}`, copied; its own parameters apart from the noise that any shape takes. The seed is for both. */
 export function shapeParts(shape: ShapeSpec): { id: string; settings: Settings; noise: number; seed: number } {
-  const { shape: id, noise, seed, ...rest } = settings(shape, 'a shape');
+  const { shape: id, noise, ...rest } = settings(shape, 'a shape');
+  const { seed } = rest;
   return {
     id: text(id, 'the name of a shape'),
     settings: rest,

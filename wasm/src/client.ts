@@ -67,8 +67,8 @@ class WorkerClient implements Client {
   }
 
   async make(shape: ShapeSpec, run: Run = {}): Promise<Mesh> {
-    const { id, settings, noise, seed } = shapeParts(shape);
-    return this.#open({ spec: { shape: id, ...settings, noise, seed } as ShapeSpec }, id, runOf(run));
+    const { id, settings, noise } = shapeParts(shape);
+    return this.#open({ spec: { shape: id, ...settings, noise } as ShapeSpec }, id, runOf(run));
   }
 
   async convergence(spec: OperatorSpec, run: Run = {}): Promise<ConvergenceStudy[]> {

@@ -61,7 +61,24 @@ export interface GridShape {
   height?: number;
   /** Noise along the normals, in mean edge lengths; default 0. */
   noise?: number;
-  /** Of the noise; a whole number below 2³²; default 1. */
+  /** Of the noise; whole, below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Skewed grid. Parallelograms of growing size in the plane. */
+export interface SkewGridShape {
+  shape: 'skew-grid';
+  /** cells along x; whole, in [1, 2000]; default 8. */
+  nx?: number;
+  /** cells along y; whole, in [1, 2000]; default 8. */
+  ny?: number;
+  /** shear; how far the upper side is moved along x; in [0, 100]; default 0.5. */
+  shear?: number;
+  /** stretch; how much faster the spacing is at the end than at the start; in [1, 100]; default 3. */
+  stretch?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; whole, below 2³²; default 1. */
   seed?: number;
 }
 
@@ -91,7 +108,7 @@ export interface SaddleShape {
   height?: number;
   /** Noise along the normals, in mean edge lengths; default 0. */
   noise?: number;
-  /** Of the noise; a whole number below 2³²; default 1. */
+  /** Of the noise; whole, below 2³²; default 1. */
   seed?: number;
 }
 
@@ -108,7 +125,209 @@ export interface TorusShape {
   minor?: number;
   /** Noise along the normals, in mean edge lengths; default 0. */
   noise?: number;
-  /** Of the noise; a whole number below 2³²; default 1. */
+  /** Of the noise; whole, below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Sphere of meridians. Planar quads, and triangles around both poles. */
+export interface UvSphereShape {
+  shape: 'uv-sphere';
+  /** meridians; whole, in [3, 2000]; default 32. */
+  nu?: number;
+  /** bands; from pole to pole; whole, in [2, 2000]; default 16. */
+  nv?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; whole, below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Sphere of triangles. An icosahedron whose triangles are cut into four again and again. */
+export interface IcoSphereShape {
+  shape: 'ico-sphere';
+  /** level; how often each triangle is cut into four; whole, in [0, 8]; default 3. */
+  level?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; whole, below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Sphere of hexagons. The dual of the sphere of triangles: twelve pentagons among hexagons. */
+export interface HexagonSphereShape {
+  shape: 'hexagon-sphere';
+  /** level; 0 is the dodecahedron; whole, in [0, 8]; default 3. */
+  level?: number;
+  /** vertices; on the sphere, or where all faces are flat and touch it; default on-sphere. */
+  kind?: 'on-sphere' | 'flat';
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; whole, below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Cube. Squares on the sides of a cube of edge 1. */
+export interface CubeShape {
+  shape: 'cube';
+  /** quads an edge; whole, in [1, 500]; default 8. */
+  n?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; whole, below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Sphere of quads. A cube of n × n quads a side, blown up to a ball. */
+export interface CubeSphereShape {
+  shape: 'cube-sphere';
+  /** quads an edge; whole, in [1, 500]; default 8. */
+  n?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; whole, below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Cylinder. Planar quads around a tube that is open at both ends. */
+export interface CylinderShape {
+  shape: 'cylinder';
+  /** quads around; whole, in [3, 2000]; default 24. */
+  nu?: number;
+  /** quads along; whole, in [1, 2000]; default 8. */
+  nv?: number;
+  /** radius; in [0.01, 1000000]; default 0.5. */
+  radius?: number;
+  /** height; in [0.01, 1000000]; default 1. */
+  height?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; whole, below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Disc. A polygon and rings of planar quads around it. */
+export interface DiscShape {
+  shape: 'disc';
+  /** corners a ring; whole, in [3, 2000]; default 12. */
+  n?: number;
+  /** rings; whole, in [0, 2000]; default 5. */
+  rings?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; whole, below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Concave hexagons. The plane tiled by hexagons with two concave corners each. */
+export interface ConcaveHexagonsShape {
+  shape: 'concave-hexagons';
+  /** hexagons a row; whole, in [1, 1000]; default 6. */
+  nx?: number;
+  /** rows; whole, in [1, 2000]; default 12. */
+  ny?: number;
+  /** depth; how far the long sides are pushed in; 0: bricks; in [0, 0.95]; default 0.4. */
+  depth?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; whole, below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Voronoi cells. Convex polygons of three to about ten corners in a rectangle. */
+export interface VoronoiShape {
+  shape: 'voronoi';
+  /** cells a row; whole, in [1, 1000]; default 12. */
+  nx?: number;
+  /** rows; whole, in [1, 1000]; default 12. */
+  ny?: number;
+  /** jitter; how far the sites are shaken; 0: regular hexagons; in [0, 1]; default 0.7. */
+  jitter?: number;
+  /** seed; another seed, another mesh; the same on every platform; whole, in [0, 2147483647]; default 1. */
+  seed?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+}
+
+/** L tiles. A rectangle cut into L-shaped polygons with ten corners each. */
+export interface LTilesShape {
+  shape: 'l-tiles';
+  /** pairs along x; whole, in [1, 500]; default 3. */
+  nx?: number;
+  /** pairs along y; whole, in [1, 1000]; default 6. */
+  ny?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; whole, below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Tetris. A rectangle cut into T, L, J and S pieces with ten corners each. */
+export interface TetrisShape {
+  shape: 'tetris';
+  /** blocks along x; whole, in [1, 500]; default 3. */
+  nx?: number;
+  /** blocks along y; whole, in [1, 500]; default 3. */
+  ny?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; whole, below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Polygon. One regular polygon. */
+export interface PolygonShape {
+  shape: 'polygon';
+  /** corners; whole, in [3, 10000]; default 6. */
+  n?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; whole, below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Star. One concave polygon. */
+export interface StarShape {
+  shape: 'star';
+  /** points; whole, in [3, 5000]; default 5. */
+  points?: number;
+  /** inner radius; radius of the corners between the points; in [0.05, 1]; default 0.4. */
+  inner?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; whole, below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Wavy polygon. One polygon that lies in no plane: regular seen from above, twice up and twice down. */
+export interface WavyPolygonShape {
+  shape: 'wavy-polygon';
+  /** corners; whole, in [4, 10000]; default 6. */
+  n?: number;
+  /** height; from the lowest to the highest corner or nearly so; in [0, 100]; default 0.5. */
+  height?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; whole, below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Trapezium. The face of Herholz 2012, Table 4.1. */
+export interface TrapeziumShape {
+  shape: 'trapezium';
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; whole, below 2³²; default 1. */
+  seed?: number;
+}
+
+/** Two components. An open saddle beneath a closed sphere. */
+export interface TwoComponentsShape {
+  shape: 'two-components';
+  /** quads an edge; whole, in [1, 500]; default 6. */
+  n?: number;
+  /** Noise along the normals, in mean edge lengths; default 0. */
+  noise?: number;
+  /** Of the noise; whole, below 2³²; default 1. */
   seed?: number;
 }
 
