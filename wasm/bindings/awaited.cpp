@@ -1,9 +1,6 @@
 // Stands in for declared parts of the core until they have landed; each definition is weak and gives way. To be
 // removed.
-#include <array>
-
 #include "polylap/apply/convergence.hpp"
-#include "polylap/apply/conversions.hpp"
 #include "polylap/mesh/mesh_io.hpp"
 #include "polylap/session.hpp"
 
@@ -12,13 +9,6 @@
 namespace polylap {
 namespace {
 const Error awaited{ErrorCode::bad_argument, "this part of the core has not been built yet"};
-Result<PolygonMesh> not_yet(const PolygonMesh& mesh, std::span<const double> values) {
-    (void)mesh;
-    (void)values;
-    return awaited;
-}
-constexpr ConversionInfo dual_info{
-    "dual", "Dual mesh", "A vertex for each face, a face for each inner vertex.", {}, not_yet};
 }  // namespace
 AWAITED Result<std::string> write_mesh(const PolygonMesh& mesh, MeshFormat format) {
     if (format != MeshFormat::obj) return awaited;
@@ -28,21 +18,14 @@ AWAITED Result<MeshFormat> format_of(std::string_view name) {
     if (name.ends_with(".obj")) return MeshFormat::obj;
     return awaited;
 }
-AWAITED std::span<const ConversionInfo* const> conversions() noexcept {
-    static constexpr std::array table{&dual_info};
-    return table;
-}
-AWAITED Result<PolygonMesh> convert(const PolygonMesh&, std::string_view, Settings) {
+AWAITED Result<std::vector<ConvergenceStudy>> study_convergence(const OperatorSpec&, Monitor) {
     return awaited;
 }
 AWAITED std::string_view repair_name(RepairChange::Kind) noexcept {
     return "merged-vertices";
 }
-AWAITED Result<std::vector<ConvergenceStudy>> study_convergence(const OperatorSpec&, Monitor) {
-    return awaited;
-}
-AWAITED Result<OrthogonalDual> Session::dual(Side, DualOptions, Monitor) {
-    return awaited;
+AWAITED Result<OrthogonalDual> Session::dual(Side side, DualOptions options, Monitor monitor) {
+    return orthogonal_dual(surface(side), options, monitor);
 }
 AWAITED Result<const PropertyReport*> Session::check(Side, Monitor) {
     return awaited;

@@ -536,13 +536,41 @@ export interface TwoComponentsShape {
 /** Which shape to make; what is left out takes its default. */
 export type ShapeSpec = GridShape | SkewGridShape | SaddleShape | TorusShape | UvSphereShape | IcoSphereShape | HexagonSphereShape | CubeShape | CubeSphereShape | CylinderShape | DiscShape | ConcaveHexagonsShape | VoronoiShape | LTilesShape | TetrisShape | PolygonShape | StarShape | WavyPolygonShape | TrapeziumShape | TwoComponentsShape;
 
-/** Dual mesh. A vertex for each face, a face for each inner vertex. */
+/** Dual mesh. A face around each inner vertex, its corners in the middles of the faces. */
 export interface DualConversion {
   conversion: 'dual';
 }
 
+/** Quads. Each face of n corners becomes n quads around its middle. */
+export interface QuadsConversion {
+  conversion: 'quads';
+  /** rule; keep the surface, or smooth it; default linear. */
+  rule?: 'linear' | 'catmull-clark';
+}
+
+/** Pairs of triangles. Neighbouring triangles become quads where these are convex. */
+export interface PairTrianglesConversion {
+  conversion: 'pair-triangles';
+}
+
+/** Triangles. Diagonals cut each face into triangles. */
+export interface TrianglesConversion {
+  conversion: 'triangles';
+  /** rule; which diagonals cut a face; default delaunay. */
+  rule?: 'delaunay' | 'min-max-angle' | 'shortest-diagonal' | 'fan';
+}
+
+/** Noise. Each vertex moves at random along its normal. */
+export interface NoiseConversion {
+  conversion: 'noise';
+  /** amplitude; of the mean edge length; in [0, 100]; default 0.3. */
+  amplitude?: number;
+  /** seed; another seed, another noise; the same on every platform; whole, in [0, 4294967295]; default 1. */
+  seed?: number;
+}
+
 /** What to make of a mesh; what is left out takes its default. */
-export type ConversionSpec = DualConversion;
+export type ConversionSpec = DualConversion | QuadsConversion | PairTrianglesConversion | TrianglesConversion | NoiseConversion;
 
 /** The operator table, in the order of menus. */
 export const operators: readonly OperatorInfo[] = [
@@ -1338,7 +1366,80 @@ export const conversions: readonly MakerInfo[] = [
   {
     id: 'dual',
     label: 'Dual mesh',
-    summary: 'A vertex for each face, a face for each inner vertex.',
+    summary: 'A face around each inner vertex, its corners in the middles of the faces.',
     parameters: [],
+  },
+  {
+    id: 'quads',
+    label: 'Quads',
+    summary: 'Each face of n corners becomes n quads around its middle.',
+    parameters: [
+      {
+        id: 'rule',
+        label: 'rule',
+        hint: 'keep the surface, or smooth it',
+        kind: 'choice',
+        choices: [
+          'linear',
+          'catmull-clark',
+        ],
+        initial: 'linear',
+      },
+    ],
+  },
+  {
+    id: 'pair-triangles',
+    label: 'Pairs of triangles',
+    summary: 'Neighbouring triangles become quads where these are convex.',
+    parameters: [],
+  },
+  {
+    id: 'triangles',
+    label: 'Triangles',
+    summary: 'Diagonals cut each face into triangles.',
+    parameters: [
+      {
+        id: 'rule',
+        label: 'rule',
+        hint: 'which diagonals cut a face',
+        kind: 'choice',
+        choices: [
+          'delaunay',
+          'min-max-angle',
+          'shortest-diagonal',
+          'fan',
+        ],
+        initial: 'delaunay',
+      },
+    ],
+  },
+  {
+    id: 'noise',
+    label: 'Noise',
+    summary: 'Each vertex moves at random along its normal.',
+    parameters: [
+      {
+        id: 'amplitude',
+        label: 'amplitude',
+        hint: 'of the mean edge length',
+        kind: 'real',
+        min: 0,
+        max: 100,
+        sliderMax: 1,
+        step: 0.01,
+        initial: 0.3,
+      },
+      {
+        id: 'seed',
+        label: 'seed',
+        hint: 'another seed, another noise; the same on every platform',
+        kind: 'integer',
+        min: 0,
+        max: 4294967295,
+        sliderMax: 100,
+        step: 1,
+        initial: 1,
+      },
+    ],
   },
 ];
