@@ -113,7 +113,7 @@ describe('numbers', () => {
 describe('refusals', () => {
   it.each([
     ['v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n', 'parse-error', 0, 4],
-    ['v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n', 'parse-error', 0, 4],
+    ['v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n', 'bad-mesh', 0, 4],
     ['v 0 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n', 'parse-error', 1, 2],
     ['# nothing\n', 'parse-error', -1, -1],
   ])('of %j name code, element and line', (text, code, element, line) => {

@@ -1,72 +1,78 @@
 #include "polylap/mesh/mesh_io.hpp"
 
-#include <charconv>
-#include <cstdio>
+#include <utility>
 
 #include "obj_check.hpp"
 #include "obj_faces.hpp"
+#include "raw_builder.hpp"
+#include "text_lines.hpp"
 
 namespace polylap {
 namespace {
 
-/// Appends as printf's %.17g does in the C locale: reading it back gives the same double, and a German locale writes no
-/// comma.
-void append_double(std::string& text, double value) {
-    char digits[32];
-#ifdef __cpp_lib_to_chars
-    text.append(digits, std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 17).ptr);
-#else  // Emscripten 3.1.6, whose only locale is C
-    text.append(digits, static_cast<std::size_t>(std::snprintf(digits, sizeof digits, "%.17g", value)));
-#endif
-}
+constexpr std::pair<std::string_view, MeshFormat> endings[] = {
+    {".obj", MeshFormat::obj},
+    {".off", MeshFormat::off},
+    {".ply", MeshFormat::ply},
+    {".stl", MeshFormat::stl},
+};
 
-void append_index(std::string& text, std::int64_t value) {
-    char digits[24];
-    text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+Result<RawMesh> read(std::span<const std::byte> bytes, MeshFormat format, io::FaceRule rule, Monitor monitor) {
+    return guard_memory([&]() -> Result<RawMesh> {
+        const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+        switch (format) {
+            case MeshFormat::obj:
+                return io::read_obj(text, rule, monitor);
+            case MeshFormat::off:
+                return io::read_off(text, rule, monitor);
+            case MeshFormat::ply:
+                return io::read_ply(text, rule, monitor);
+            case MeshFormat::stl:
+                return io::read_stl(text, rule, monitor);
+        }
+        return Error{ErrorCode::bad_argument, "there is no such format of meshes"};
+    });
 }
 
 }  // namespace
 
-Result<PolygonMesh> read_obj(std::span<const std::byte> bytes, Monitor monitor) {
-    return guard_memory([&]() -> Result<PolygonMesh> {
-        // About the shares of the time that a large file takes.
-        Stretch checking{monitor, 0, 0.6};
-        Stretch parsing{monitor, 0.6, 1};
-        const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-        auto script = obj::check(text, checking.monitor());
-        if (!script) return script.error();
-        auto faces = obj::read_faces(*script, parsing.monitor());
-        if (!faces) return faces.error();
-        const auto rows = static_cast<Eigen::Index>(script->vertices());
-        Points positions = Eigen::Map<const Points>(script->coordinates.data(), rows, 3);
-        return PolygonMesh::create(std::move(positions), std::move(faces->offsets), std::move(faces->corners));
+Result<RawMesh> io::read_obj(std::string_view text, FaceRule rule, Monitor monitor) {
+    // About the shares of the time that a large file takes.
+    Stretch checking{monitor, 0, 0.6};
+    Stretch parsing{monitor, 0.6, 1};
+    auto script = obj::check(text, rule, checking.monitor());
+    if (!script) return script.error();
+    auto faces = obj::read_faces(*script, parsing.monitor());
+    if (!faces) return faces.error();
+    const auto rows = static_cast<Eigen::Index>(script->vertices());
+    return RawMesh{Eigen::Map<const Points>(script->coordinates.data(), rows, 3),
+                   std::move(faces->offsets),
+                   std::move(faces->corners),
+                   {}};
+}
+
+Result<MeshFormat> format_of(std::string_view name) {
+    return guard_memory([&]() -> Result<MeshFormat> {
+        for (const auto& [ending, format] : endings)
+            if (name.size() > ending.size() && io::is_word(name.substr(name.size() - ending.size()), ending))
+                return format;
+        return Error{ErrorCode::bad_argument,
+                     "'" + std::string(name) + "' is no mesh file: its name must end in .obj, .off, .ply or .stl"};
     });
 }
 
-Result<std::string> write_obj(const PolygonMesh& mesh) {
-    return guard_memory([&]() -> Result<std::string> {
-        constexpr std::size_t vertex_bytes = 64, corner_bytes = 8;  // usual lengths
-        std::string text;
-        text.reserve(static_cast<std::size_t>(mesh.vertex_count()) * vertex_bytes +
-                     mesh.connectivity()->corners.size() * corner_bytes);
-        for (Index v = 0; v < mesh.vertex_count(); ++v) {
-            text += 'v';
-            for (const double coordinate : mesh.positions().row(v)) {
-                text += ' ';
-                append_double(text, coordinate);
-            }
-            text += '\n';
-        }
-        for (Index f = 0; f < mesh.face_count(); ++f) {
-            text += 'f';
-            for (const Index vertex : mesh.face(f)) {
-                text += ' ';
-                append_index(text, std::int64_t{vertex} + 1);
-            }
-            text += '\n';
-        }
-        return text;
-    });
+Result<RawMesh> read_raw(std::span<const std::byte> bytes, MeshFormat format, Monitor monitor) {
+    return read(bytes, format, io::FaceRule::any, monitor);
+}
+
+Result<PolygonMesh> read_mesh(std::span<const std::byte> bytes, MeshFormat format, Monitor monitor) {
+    auto raw = read(bytes, format, io::FaceRule::sound, monitor);
+    if (!raw) return raw.error();
+    return PolygonMesh::create(std::move(raw->positions), std::move(raw->offsets), std::move(raw->corners));
+}
+
+Result<PolygonMesh> read_obj(std::span<const std::byte> bytes, Monitor monitor) {
+    return read_mesh(bytes, MeshFormat::obj, monitor);
 }
 
 }  // namespace polylap

@@ -4,49 +4,19 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 
-#include <fast_float/fast_float.h>
-
 #include "obj_scanner.hpp"
-#include "polylap/base/types.hpp"
+#include "text_lines.hpp"
 
 namespace polylap::obj {
 namespace {
 
-/// Bytes between two looks at the monitor.
-constexpr std::ptrdiff_t tick_bytes = 1 << 16;
-/// Corners up to which comparing all pairs beats sorting.
-constexpr std::size_t pairwise_corners = 24;
-
-constexpr std::int64_t most = std::numeric_limits<Index>::max();
-
-Error whole_file(std::string message) {
-    return {ErrorCode::parse_error, std::move(message), -1, -1};
-}
-
-Error at_line(std::int64_t line, std::int64_t element, const std::string& message) {
-    return {ErrorCode::parse_error, "line " + std::to_string(line) + ": " + message, element, line};
-}
-
-/// A token as a message can show it: short, one line, plain ASCII.
-std::string quote(std::string_view token) {
-    constexpr std::size_t longest = 32;
-    std::string text(token.substr(0, longest));
-    for (char& c : text)
-        if (c < ' ' || c > '~') c = '?';
-    return '\'' + text + (token.size() > longest ? "…'" : "'");
-}
-
-bool parse_finite(std::string_view token, double& value) {
-    if (token.size() > 1 && token[0] == '+' && token[1] != '-') token.remove_prefix(1);
-    const char* const last = token.data() + token.size();
-    const auto [rest, status] = fast_float::from_chars(token.data(), last, value);
-    return status == std::errc() && rest == last && std::isfinite(value);
-}
+using io::fault;
+using io::most;
+using io::quote;
+using io::whole_file;
 
 enum class Corner { good, malformed, zero, too_large };
 
@@ -71,26 +41,12 @@ Corner parse_corner(std::string_view token, int& vertex) {
     return Corner::malformed;
 }
 
-/// A vertex that appears twice, or -1.
-std::int64_t repeated(const std::vector<Index>& corners, std::vector<Index>& scratch) {
-    if (corners.size() <= pairwise_corners) {
-        for (std::size_t i = 1; i < corners.size(); ++i)
-            for (std::size_t j = 0; j < i; ++j)
-                if (corners[i] == corners[j]) return corners[i];
-        return -1;
-    }
-    scratch = corners;
-    std::sort(scratch.begin(), scratch.end());
-    const auto twin = std::adjacent_find(scratch.begin(), scratch.end());
-    return twin == scratch.end() ? -1 : *twin;
-}
-
 class Checker {
 public:
-    Checker(std::string_view text, Monitor monitor) : text_(text), monitor_(monitor), scanner_(text) {}
+    Checker(std::string_view text, io::FaceRule rule, Monitor monitor)
+        : text_(text), rule_(rule), ticker_(monitor, text.size()), scanner_(text) {}
 
     Result<Script> run() {
-        const char* ticked = text_.data();
         while (scanner_.next_statement()) {
             if (scanner_.keyword() == "v") {
                 if (auto error = check_vertex()) return std::move(*error);
@@ -99,11 +55,7 @@ public:
             } else {
                 scanner_.skip_line();
             }
-            if (scanner_.position() - ticked > tick_bytes) {
-                ticked = scanner_.position();
-                if (!monitor_.proceed(static_cast<double>(ticked - text_.data()) / static_cast<double>(text_.size())))
-                    return Error{ErrorCode::cancelled, "reading was cancelled", -1, -1};
-            }
+            if (!ticker_.proceed(static_cast<std::size_t>(scanner_.position() - text_.data()))) return io::cancelled();
         }
         if (auto error = check_whole()) return std::move(*error);
         return std::move(script_);
@@ -113,12 +65,12 @@ private:
     std::optional<Error> check_vertex() {
         const std::int64_t vertex = script_.vertices();
         const auto fail = [&](const std::string& what) {
-            return at_line(scanner_.line(), vertex, "vertex " + std::to_string(vertex) + " " + what);
+            return fault(io::at_line(scanner_.line()), vertex, "vertex " + std::to_string(vertex) + " " + what);
         };
         int numbers = 0;
         for (auto token = scanner_.next_token(); !token.empty(); token = scanner_.next_token(), ++numbers) {
             double value = 0;
-            if (!parse_finite(token, value)) return fail("has " + quote(token) + ", which is no finite number");
+            if (!io::parse_finite(token, value)) return fail("has " + quote(token) + ", which is no finite number");
             if (numbers < 3) script_.coordinates.push_back(value);
         }
         if (numbers < 3)
@@ -135,8 +87,8 @@ private:
 
     std::optional<Error> check_face() {
         const std::int64_t face = script_.faces;
-        const auto fail = [&](const std::string& what) {
-            return at_line(scanner_.line(), face, "face " + std::to_string(face) + " " + what);
+        const auto fail = [&](const std::string& what, ErrorCode code = ErrorCode::parse_error) {
+            return fault(io::at_line(scanner_.line()), face, "face " + std::to_string(face) + " " + what, code);
         };
         corners_.clear();
         std::int64_t highest = 0;
@@ -161,9 +113,9 @@ private:
             highest = std::max(highest, vertex);
             corners_.push_back(static_cast<Index>(vertex));
         }
-        if (corners_.size() < 3) return fail("has " + std::to_string(corners_.size()) + " corners, fewer than 3");
-        if (const auto twin = repeated(corners_, scratch_); twin >= 0)
-            return fail("has vertex " + std::to_string(twin) + " twice");
+        if (rule_ == io::FaceRule::sound)
+            if (const auto what = io::unsound(corners_, scratch_); !what.empty())
+                return fail(what, ErrorCode::bad_mesh);
         if (most - script_.corners < static_cast<std::int64_t>(corners_.size()))
             return fail("is one too many: a mesh holds at most " + std::to_string(most) + " corners");
         // A face may come before its vertices, so its range can be checked at the end only. The first face beyond any
@@ -171,8 +123,12 @@ private:
         if (highest >= script_.vertices() && (reaches_.empty() || highest > reaches_.back().vertex))
             reaches_.push_back({highest, face, scanner_.line()});
         scanner_.finish_statement();
-        for (const std::string_view piece : scanner_.pieces())
-            append(piece);
+        if (corners_.empty()) {
+            script_.bare_faces.push_back(script_.faces);
+        } else {
+            for (const std::string_view piece : scanner_.pieces())
+                append(piece);
+        }
         script_.corners += static_cast<std::int64_t>(corners_.size());
         ++script_.faces;
         return std::nullopt;
@@ -185,11 +141,11 @@ private:
                                             : "the file has no faces, only " + std::to_string(vertices) + " vertices");
         for (const Reach& reach : reaches_)
             if (reach.vertex >= vertices)
-                return at_line(reach.line, reach.face,
-                               "face " + std::to_string(reach.face) + " has the index " +
-                                   std::to_string(reach.vertex + 1) +
-                                   " (counted from 1, as in the file), but the file has " + std::to_string(vertices) +
-                                   " vertices");
+                return fault(io::at_line(reach.line), reach.face,
+                             "face " + std::to_string(reach.face) + " has the index " +
+                                 std::to_string(reach.vertex + 1) +
+                                 " (counted from 1, as in the file), but the file has " + std::to_string(vertices) +
+                                 " vertices");
         return std::nullopt;
     }
 
@@ -207,7 +163,8 @@ private:
     };
 
     std::string_view text_;
-    Monitor monitor_;
+    io::FaceRule rule_;
+    io::Ticker ticker_;
     Scanner scanner_;
     Script script_;
     std::vector<Reach> reaches_;
@@ -216,16 +173,12 @@ private:
 
 }  // namespace
 
-Result<Script> check(std::string_view text, Monitor monitor) {
+Result<Script> check(std::string_view text, io::FaceRule rule, Monitor monitor) {
     if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
-    if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) return whole_file("the file is empty");
-    if (const auto foreign = recognise_foreign(text); !foreign.empty())
-        return whole_file("this is " + std::string(foreign) + ", not an OBJ file");
-    if (const auto zero = text.find('\0'); zero != std::string_view::npos) {
-        const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(zero), '\n');
-        return at_line(line, -1, "a zero byte: this is a binary file, not an OBJ file");
-    }
-    return Checker(text, monitor).run();
+    if (auto refusal = io::refuse_foreign(text, "an OBJ file"); !refusal.empty()) return whole_file(std::move(refusal));
+    if (const auto zero = text.find('\0'); zero != std::string_view::npos)
+        return fault(io::at_line(io::line_of(text, zero)), -1, "a zero byte: this is a binary file, not an OBJ file");
+    return Checker(text, rule, monitor).run();
 }
 
 }  // namespace polylap::obj

@@ -6,6 +6,7 @@
 
 #include "polylap/base/monitor.hpp"
 #include "polylap/base/result.hpp"
+#include "raw_builder.hpp"
 
 namespace polylap::obj {
 
@@ -14,6 +15,7 @@ struct Script {
     std::vector<double> coordinates;  ///< 3 a vertex, correctly rounded.
     std::vector<std::string_view>
         statements;  ///< One after the other: the `f` lines, and a bare `v` for each vertex, in the file's order.
+    std::vector<std::int64_t> bare_faces;  ///< Faces without corners, which have no statement.
     std::int64_t faces = 0;
     std::int64_t corners = 0;
 
@@ -22,8 +24,9 @@ struct Script {
 
 /// Checks every `v` and `f` of a text. The statements of the script are pieces of `text`: comments, continuations and
 /// other lines are left out.
-/// @error parse_error (line; element = vertex or face), cancelled.   Throws std::bad_alloc
-Result<Script> check(std::string_view text, Monitor monitor);
+/// @error parse_error (line; element = vertex or face), bad_mesh (a face that is not sound), cancelled.   Throws
+/// std::bad_alloc
+Result<Script> check(std::string_view text, io::FaceRule rule, Monitor monitor);
 
 /// What a text is if it is certainly no OBJ, e.g. "an HTML page"; otherwise empty.
 std::string_view recognise_foreign(std::string_view text);

@@ -1,6 +1,8 @@
 #include "obj_faces.hpp"
 
 #include <istream>
+#include <numeric>
+#include <span>
 #include <streambuf>
 
 // Under a name of our own: a program that links polylap may have its own tinyobjloader, of another version or with
@@ -13,17 +15,15 @@
 namespace polylap::obj {
 namespace {
 
-/// Bytes between two looks at the monitor.
-constexpr std::size_t tick_bytes = 1 << 16;
-
 /// Hands out the pieces one after the other, without copying. Ends early when the monitor says so, which is how the
 /// parser is stopped.
 class PieceBuffer : public std::streambuf {
 public:
-    PieceBuffer(const std::vector<std::string_view>& pieces, Monitor monitor) : pieces_(pieces), monitor_(monitor) {
-        for (const std::string_view piece : pieces)
-            total_ += piece.size();
-    }
+    PieceBuffer(const std::vector<std::string_view>& pieces, Monitor monitor)
+        : pieces_(pieces),
+          ticker_(monitor,
+                  std::accumulate(pieces.begin(), pieces.end(), std::size_t{0},
+                                  [](std::size_t sum, std::string_view piece) { return sum + piece.size(); })) {}
 
     bool cancelled() const { return cancelled_; }
 
@@ -32,7 +32,8 @@ protected:
         while (rest_.empty() && next_ < pieces_.size())
             rest_ = pieces_[next_++];
         if (rest_.empty() || cancelled_ || !proceed()) return traits_type::eof();
-        const std::size_t length = std::min(rest_.size(), tick_bytes);
+        constexpr std::size_t most_at_once = 1 << 16;  // so that the ticker is asked now and then
+        const std::size_t length = std::min(rest_.size(), most_at_once);
         char* const first = const_cast<char*>(rest_.data());  // never written: nothing puts back other characters
         setg(first, first, first + length);
         rest_.remove_prefix(length);
@@ -42,23 +43,29 @@ protected:
 
 private:
     bool proceed() {
-        if (done_ - ticked_ < tick_bytes) return true;
-        ticked_ = done_;
-        cancelled_ = !monitor_.proceed(static_cast<double>(done_) / static_cast<double>(total_));
+        cancelled_ = !ticker_.proceed(done_);
         return !cancelled_;
     }
 
     const std::vector<std::string_view>& pieces_;
-    Monitor monitor_;
+    io::Ticker ticker_;
     std::string_view rest_;
     std::size_t next_ = 0;
-    std::size_t total_ = 0, done_ = 0, ticked_ = 0;
+    std::size_t done_ = 0;
     bool cancelled_ = false;
 };
 
 struct Collector {
     Faces faces;
+    std::span<const std::int64_t> bare_faces;  ///< Those that are still to come.
     int vertices = 0;
+
+    void finish_face() { faces.offsets.push_back(static_cast<Index>(faces.corners.size())); }
+    void finish_bare_faces() {
+        for (; !bare_faces.empty() && bare_faces.front() + 1 == static_cast<std::int64_t>(faces.offsets.size());
+             bare_faces = bare_faces.subspan(1))
+            finish_face();
+    }
 };
 
 void on_vertex(void* user, double, double, double, double) {
@@ -66,12 +73,13 @@ void on_vertex(void* user, double, double, double, double) {
 }
 
 void on_face(void* user, polylap_tinyobj::index_t* indices, int count) {
-    auto& [faces, vertices] = *static_cast<Collector*>(user);
+    auto& collector = *static_cast<Collector*>(user);
+    collector.finish_bare_faces();
     for (int i = 0; i < count; ++i) {
         const int index = indices[i].vertex_index;
-        faces.corners.push_back(index > 0 ? index - 1 : vertices + index);
+        collector.faces.corners.push_back(index > 0 ? index - 1 : collector.vertices + index);
     }
-    faces.offsets.push_back(static_cast<Index>(faces.corners.size()));
+    collector.finish_face();
 }
 
 }  // namespace
@@ -81,6 +89,7 @@ Result<Faces> read_faces(const Script& script, Monitor monitor) {
     collector.faces.offsets.reserve(static_cast<std::size_t>(script.faces) + 1);
     collector.faces.corners.reserve(static_cast<std::size_t>(script.corners));
     collector.faces.offsets.push_back(0);
+    collector.bare_faces = script.bare_faces;
 
     polylap_tinyobj::callback_t callbacks;
     callbacks.vertex_cb = on_vertex;
@@ -88,14 +97,14 @@ Result<Faces> read_faces(const Script& script, Monitor monitor) {
     PieceBuffer buffer(script.statements, monitor);
     std::istream stream(&buffer);
     const bool parsed = polylap_tinyobj::LoadObjWithCallback(stream, callbacks, &collector);
+    collector.finish_bare_faces();
 
-    if (buffer.cancelled()) return Error{ErrorCode::cancelled, "reading was cancelled", -1, -1};
+    if (buffer.cancelled()) return io::cancelled();
     const auto& [offsets, corners] = collector.faces;
     if (!parsed || collector.vertices != script.vertices() ||
         static_cast<std::int64_t>(offsets.size()) != script.faces + 1 ||
         static_cast<std::int64_t>(corners.size()) != script.corners)
-        return Error{ErrorCode::parse_error, "the OBJ parser saw other vertices or faces than the check before it", -1,
-                     -1};
+        return io::whole_file("the OBJ parser saw other vertices or faces than the check before it");
     return std::move(collector.faces);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,19 +29,23 @@ struct RawMesh {
 };
 
 /// Reads the syntax of a file. A face with fewer than three or with repeated corners passes here.
-/// @error parse_error (line, or byte in the message for binary files), out_of_memory, cancelled
+/// @error parse_error (line, or byte from 0 in the message for binary files), out_of_memory, cancelled
 Result<RawMesh> read_raw(std::span<const std::byte> bytes, MeshFormat format, Monitor monitor = {});
 
 /// Reads a mesh file. As strict for each format as read_obj is for its own: every error names the line (or the byte),
 /// the vertex or the face.
-/// OFF: ASCII with or without counts of edges, colours, normals (NOFF, COFF, STOFF …), comments; `OFF BINARY`
-/// (little-endian int32/float32 as pmp-library writes it, or big-endian). PLY: ascii, binary_little_endian,
-/// binary_big_endian; other properties and elements skipped. STL: ascii and binary; equal positions are welded.
-/// @error parse_error, bad_mesh, out_of_memory, cancelled
+/// OFF: ASCII with or without a count of edges, colours, normals (NOFF, COFF, STOFF …), comments, each vertex and each
+/// face on a line of its own; `OFF BINARY`, little-endian as pmp-library writes it or big-endian as Geomview does. PLY:
+/// ascii, binary_little_endian, binary_big_endian; other properties and elements skipped. STL: ascii and binary; equal
+/// positions are welded.
+/// @error bad_mesh (line; element = face): a face with fewer than three or with repeated corners, which read_raw lets
+/// pass and repair (repair.hpp) removes. parse_error: anything else, which is no matter of repair. out_of_memory,
+/// cancelled
 Result<PolygonMesh> read_mesh(std::span<const std::byte> bytes, MeshFormat format, Monitor monitor = {});
 
 /// Writes a mesh: OBJ, ASCII OFF and ASCII PLY with 17 significant digits; binary STL.
-/// @error bad_argument (STL: face with more than three corners; element = face), out_of_memory
+/// @error bad_argument (STL: face with more than three corners, element = face; coordinate beyond single precision,
+/// element = vertex), out_of_memory
 Result<std::string> write_mesh(const PolygonMesh& mesh, MeshFormat format);
 
 /// Reads a Wavefront OBJ file from memory, faces of any size.
@@ -51,8 +56,9 @@ Result<std::string> write_mesh(const PolygonMesh& mesh, MeshFormat format);
 /// skipped. Coordinates are rounded correctly to double.
 /// @error parse_error. With line (and element = vertex or face): a coordinate that is missing or no finite number, an
 /// index that is no whole number, zero or
-///        out of range, a face with fewer than three or with repeated corners, a zero byte. Without line: a file that
-///        is empty, of another format, or without faces. out_of_memory, cancelled
+///        out of range, a zero byte. Without line: a file that is empty, of another format, or without faces.
+///        bad_mesh (line; element = face): a face with fewer than three or with repeated corners. out_of_memory,
+///        cancelled
 Result<PolygonMesh> read_obj(std::span<const std::byte> bytes, Monitor monitor = {});
 
 /// Writes `v` with 17 significant digits (reading them back gives the same doubles) and `f` lines.
