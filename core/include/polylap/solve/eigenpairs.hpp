@@ -11,14 +11,29 @@ struct Eigenpairs {
     Matrix vectors;  ///< n×k, orthonormal.
 };
 
-/// The lowest eigenpairs of a symmetric matrix, positive semi-definite or not: dense for small matrices, shift-invert
-/// Lanczos (Spectra) beyond.
-/// @param count at least 1; at most n are returned   @return residuals ≤ 1e-8 of the largest eigenvalue
-/// @error bad_argument, not_converged, out_of_memory, cancelled
+/// Residuals |S x - μ x| and the completeness of the lowest eigenpairs are held to this multiple of |S|∞, the largest
+/// absolute row sum of S: at most a few times its largest |eigenvalue|.
+inline constexpr double eigenpair_tolerance = 1e-9;
+
+/// The lowest eigenpairs of a symmetric matrix, positive semi-definite or not: dense for small matrices, beyond that
+/// shift-invert Lanczos (Spectra) that goes on until inertia counting proves that no eigenvalue was missed, whatever
+/// the multiplicities.
+/// @param symmetric n×n, finite, stored in full
+/// @param count     at least 1; at most n are returned
+/// @return min(count, n) pairs.   Cost: two sparse factorisations and about 2·count solves, more for multiple
+///         eigenvalues; O(n³) for n ≤ 300 or count > n/4
+/// @error bad_argument (not square, not finite, not symmetric; count < 1), not_converged, out_of_memory, cancelled
 Result<Eigenpairs> lowest_eigenpairs(const SparseMatrix& symmetric, Index count, Monitor monitor = {});
 
-/// The largest eigenvalue of a symmetric matrix.
-/// @error not_converged, out_of_memory, cancelled
+/// The largest eigenvalue of a symmetric matrix, by Lanczos: at most the true one, and within 1e-6 of |S|∞ of an
+/// eigenvalue (in practice 1e-9 of the largest).
+/// @error bad_argument (not square, empty, not finite, not symmetric), not_converged, out_of_memory, cancelled
 Result<double> largest_eigenvalue(const SparseMatrix& symmetric, Monitor monitor = {});
+
+/// The number of eigenvalues below `shift`: the negative pivots of S - shift·I = LDLᵀ (Sylvester's law of inertia).
+/// Exact but for eigenvalues within eigenpair_tolerance of |S|∞ of the shift.
+/// @error not_converged (without row exchanges this shift meets pivots too small to trust: take another one nearby),
+///        bad_argument, out_of_memory
+Result<Index> count_eigenvalues_below(const SparseMatrix& symmetric, double shift);
 
 }  // namespace polylap
