@@ -16,12 +16,12 @@ struct Eigenpairs {
 inline constexpr double eigenpair_tolerance = 1e-9;
 
 /// The lowest eigenpairs of a symmetric matrix, positive semi-definite or not: dense for small matrices, beyond that
-/// shift-invert Lanczos (Spectra) that goes on until inertia counting proves that no eigenvalue was missed, whatever
-/// the multiplicities.
+/// shift-invert Lanczos (Spectra) that goes on until inertia counting (or, where no count is to be had, a search of the
+/// complement) shows that no eigenvalue was missed, whatever the multiplicities.
 /// @param symmetric n×n, finite, stored in full
 /// @param count     at least 1; at most n are returned
 /// @return min(count, n) pairs.   Cost: two sparse factorisations and about 2·count solves, more for multiple
-///         eigenvalues; O(n³) for n ≤ 300 or count > n/4
+///         eigenvalues; O(n³) for n ≤ 100 or count > n/4
 /// @error bad_argument (not square, not finite, not symmetric; count < 1), not_converged, out_of_memory, cancelled
 Result<Eigenpairs> lowest_eigenpairs(const SparseMatrix& symmetric, Index count, Monitor monitor = {});
 
