@@ -1,21 +1,12 @@
 /** The synchronous API: numbers known by hand, refusals, and who owns what. */
 import { describe, expect, it } from 'vitest';
-import { load, type OperatorSpec, type Polylap, PolylapError, type Session } from '../../wasm/src/node.js';
+import { load, type OperatorSpec, type Polylap, type Session } from '../../wasm/src/node.js';
+import { failure } from './help.js';
 import { readMesh } from './native.js';
 
 const polylap = await load();
 const aw = (lambda?: number): OperatorSpec => ({ id: 'alexa-wardetzky', ...(lambda !== undefined && { lambda }) });
 const planar: OperatorSpec = { id: 'planar' };
-
-function failure(work: () => unknown): PolylapError {
-  try {
-    work();
-  } catch (error) {
-    expect(error).toBeInstanceOf(PolylapError);
-    return error as PolylapError;
-  }
-  throw new Error('nothing was thrown');
-}
 
 describe('numbers', () => {
   it('finds 2048 negative ordered pairs with Alexa–Wardetzky on the noisy torus, none with the planar operator', () => {
