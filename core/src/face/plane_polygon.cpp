@@ -27,8 +27,11 @@ PlanePolygon::PlanePolygon(std::span<const Eigen::Vector2d> points) : points_(po
 int PlanePolygon::side(Index a, Index b, Index c) const {
     const Eigen::Vector2d u = (*this)[b] - (*this)[a];
     const Eigen::Vector2d v = (*this)[c] - (*this)[a];
-    const double area = cross(u, v);
-    const double noise = rounding * diameter_ * (u.lpNorm<1>() + v.lpNorm<1>());
+    return side_of_noise(cross(u, v), u.lpNorm<1>() + v.lpNorm<1>());
+}
+
+int PlanePolygon::side_of_noise(double area, double lengths) const {
+    const double noise = rounding * diameter_ * lengths;
     return area > noise ? 1 : (area < -noise ? -1 : 0);
 }
 
@@ -85,12 +88,20 @@ bool PlanePolygon::inside_diagonal(Index i, Index j) const {
         // At a straight corner both tests are the same; at a reflex one either is enough.
         return false;
     }
-    for (Index k = 0; k < size(); ++k) {
-        if (k == i || k == j) continue;
-        if (side(i, j, k) == 0 && within(i, j, k)) return false;
-        const Index l = next(k);
-        if (l == i || l == j) continue;
-        if (side(i, j, k) * side(i, j, l) < 0 && side(k, l, i) * side(k, l, j) < 0) return false;
+    // No corner may lie on it and no edge cross it, between j and i nor between i and j.
+    const Eigen::Vector2d u = (*this)[j] - (*this)[i];
+    const double u_size = u.lpNorm<1>();
+    int last = 0;  // the side of the corner before, 0 at either end
+    for (Index k = after; k != i; k = next(k)) {
+        if (k == j) {
+            last = 0;
+            continue;
+        }
+        const Eigen::Vector2d v = (*this)[k] - (*this)[i];
+        const int now = side_of_noise(cross(u, v), u_size + v.lpNorm<1>());
+        if (now == 0 && within(i, j, k)) return false;
+        if (now * last < 0 && side(previous(k), k, i) * side(previous(k), k, j) < 0) return false;
+        last = now;
     }
     return true;
 }

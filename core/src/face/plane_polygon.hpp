@@ -31,6 +31,7 @@ public:
     bool inside_diagonal(Index i, Index j) const;
 
 private:
+    int side_of_noise(double area, double lengths) const;
     bool touch(Index i, Index j) const;
     bool within(Index a, Index b, Index c) const;
 

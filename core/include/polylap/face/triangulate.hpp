@@ -25,7 +25,7 @@ using Triangle = std::array<Index, 3>;
 /// @error degenerate_face (without element) when the polygon crosses or touches itself or has no area, or when the rule
 ///        is `fan` and no corner has one; out_of_memory
 /// Cost O(n²) for delaunay and fan on convex polygons, O(n³) otherwise; min_max_angle resolves ties exactly up to 64
-/// corners, in O(n⁴) at worst.
+/// corners, in O(n⁴) at worst; beyond, the two largest angles decide.
 Status triangulate_polygon(std::span<const Eigen::Vector2d> polygon, TriangulationRule rule,
                            std::vector<Triangle>& out);
 
