@@ -254,7 +254,7 @@ Result<Session::Harmonic> Session::harmonic(Side side, std::span<const Index> ve
             const auto built = impl_->build(state.surface, key.matrices, building.monitor());
             if (!built) return built.error();
             if (!monitor.proceed(0.3)) return Error{ErrorCode::cancelled, "cancelled"};
-            return DirichletProblem::create((*built)->stiffness, key.fixed);
+            return DirichletProblem::create((*built)->stiffness, key.fixed, (*built)->structure);
         });
         if (!problem) return problem.error();
 

@@ -4,6 +4,20 @@
 #include <string>
 
 namespace polylap {
+namespace {
+
+/// Not 0 at the columns with a nonzero (or no finite) entry.
+Vector columns_in_use(const SparseMatrix& a) {
+    Vector used = Vector::Zero(a.cols());
+    for (Index k = 0; k < a.cols(); ++k) {
+        for (SparseMatrix::InnerIterator it(a, k); it; ++it) {
+            if (it.value() != 0) used[k] = 1;
+        }
+    }
+    return used;
+}
+
+}  // namespace
 
 Result<ImplicitSmoother> ImplicitSmoother::create(const OperatorMatrices& matrices, double time) {
     return guard_memory([&]() -> Result<ImplicitSmoother> {
@@ -22,23 +36,28 @@ Status ImplicitSmoother::update(const OperatorMatrices& matrices, double time) {
         return Error{ErrorCode::bad_argument, "stiffness and mass must be square and of the same size"};
     }
     return guard_memory([&]() -> Status {
-        Vector mass = matrices.mass.diagonal();
-        const Vector stiffness = matrices.stiffness.diagonal();
-        for (Index v = 0; v < mass.size(); ++v) {
-            if (mass[v] == 0 && stiffness[v] == 0) {
-                mass[v] = 1;  // in no face: 1 x' = 1 x
-            } else if (!(mass[v] > 0)) {
+        const Vector used = columns_in_use(matrices.stiffness) + columns_in_use(matrices.mass);
+        const Vector diagonal = matrices.mass.diagonal();
+        Vector unused = Vector::Zero(n);
+        for (Index v = 0; v < n; ++v) {
+            if (used[v] == 0) {
+                unused[v] = 1;  // in no face: 1 x' = 1 x
+            } else if (!(diagonal[v] > 0)) {
                 return Error{ErrorCode::mass_not_positive,
                              "the mass of vertex " + std::to_string(v) + " is not positive", v};
             }
         }
+        SparseMatrix mass = matrices.mass;
+        mass += SparseMatrix(unused.asDiagonal());
         SparseMatrix system = time * matrices.stiffness;
-        system += SparseMatrix(mass.asDiagonal());
-        if (Status status = factor_.factor(system); !status) {
+        system += mass;
+        if (Status status = factor_.factor(system, matrices.structure); !status) {
             Error error = status.error();
             if (error.code == ErrorCode::not_positive_definite) {
-                error.message = "M + tS is not positive definite at vertex " + std::to_string(error.element) +
-                                ", where the surface may have collapsed, or t is too large";
+                const bool definite = matrices.structure == Structure::positive_semidefinite;
+                error.message = std::string("M + tS is ") + (definite ? "not positive definite" : "singular");
+                if (error.element >= 0) error.message += " at vertex " + std::to_string(error.element);
+                error.message += ", where the surface may have collapsed, or t is too large";
             }
             return error;
         }
@@ -48,13 +67,13 @@ Status ImplicitSmoother::update(const OperatorMatrices& matrices, double time) {
 }
 
 Result<Points> ImplicitSmoother::step(const Points& points) const {
-    if (points.rows() != mass_.size()) {
-        return Error{ErrorCode::bad_argument, "the operator has " + std::to_string(mass_.size()) + " vertices, but " +
+    if (points.rows() != mass_.rows()) {
+        return Error{ErrorCode::bad_argument, "the operator has " + std::to_string(mass_.rows()) + " vertices, but " +
                                                   std::to_string(points.rows()) + " points were given"};
     }
     if (!points.allFinite()) return Error{ErrorCode::bad_argument, "the points must be finite"};
     return guard_memory([&]() -> Result<Points> {
-        const auto moved = factor_.solve(mass_.asDiagonal() * points);
+        const auto moved = factor_.solve(mass_ * points);
         if (!moved) return moved.error();
         return Points(*moved);
     });

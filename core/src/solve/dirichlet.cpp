@@ -8,10 +8,11 @@ namespace {
 
 enum class Role : std::uint8_t { free, fixed, isolated };
 
-/// Checks that each connected part of the matrix graph reaches a fixed vertex; marks vertices without an equation as
-/// isolated.
-Status reach_all(const SparseMatrix& s, std::vector<Role>& role) {
+/// Checks that each equation leads to a fixed vertex, going from a row to its entries and their rows; marks vertices
+/// without an equation, and in none, as isolated.
+Status reach_all(const SparseMatrix& s, Structure structure, std::vector<Role>& role) {
     std::vector<char> reached(role.size(), 0);
+    std::vector<char> in_use(role.size(), 0);
     std::vector<Index> stack;
     const auto visit = [&](Index v) {
         if (reached[static_cast<std::size_t>(v)] != 0) return;
@@ -20,32 +21,49 @@ Status reach_all(const SparseMatrix& s, std::vector<Role>& role) {
     };
     for (Index v = 0; v < s.cols(); ++v) {
         if (role[static_cast<std::size_t>(v)] == Role::fixed) visit(v);
+        for (SparseMatrix::InnerIterator it(s, v); it; ++it) {
+            if (it.value() == 0) continue;
+            in_use[static_cast<std::size_t>(it.index())] = 1;
+            in_use[static_cast<std::size_t>(v)] = 1;
+        }
     }
     while (!stack.empty()) {
         const Index v = stack.back();
         stack.pop_back();
-        for (SparseMatrix::InnerIterator it(s, v); it; ++it) {
+        for (SparseMatrix::InnerIterator it(s, v); it; ++it) {  // the rows that depend on v
             if (it.value() != 0) visit(it.index());
         }
     }
     for (Index v = 0; v < s.cols(); ++v) {
         if (reached[static_cast<std::size_t>(v)] != 0) continue;
-        bool empty = true;
-        for (SparseMatrix::InnerIterator it(s, v); it; ++it) {
-            empty = empty && it.value() == 0;
-        }
-        if (!empty) {
+        if (in_use[static_cast<std::size_t>(v)] != 0) {
+            const std::string name = "vertex " + std::to_string(v);
             return Error{ErrorCode::unconstrained_component,
-                         "the connected part with vertex " + std::to_string(v) + " has no fixed vertex", v};
+                         structure == Structure::general ? name + " does not depend on any fixed vertex"
+                                                         : "the connected part with " + name + " has no fixed vertex",
+                         v};
         }
         role[static_cast<std::size_t>(v)] = Role::isolated;
     }
     return Done{};
 }
 
+/// The factor's refusal in terms of vertices.
+Error name_vertex(Error error, const std::vector<Index>& free) {
+    if (error.code != ErrorCode::not_positive_definite) return error;
+    error.message = "the fixed values do not determine the solution";
+    if (error.element >= 0) {
+        error.element = free[static_cast<std::size_t>(error.element)];
+        error.message += ": its equations leave the value at vertex " + std::to_string(error.element) +
+                         " open, or contradict each other there";
+    }
+    return error;
+}
+
 }  // namespace
 
-Result<DirichletProblem> DirichletProblem::create(const SparseMatrix& stiffness, std::span<const Index> fixed) {
+Result<DirichletProblem> DirichletProblem::create(const SparseMatrix& stiffness, std::span<const Index> fixed,
+                                                  Structure structure) {
     return guard_memory([&]() -> Result<DirichletProblem> {
         const auto n = static_cast<Index>(stiffness.cols());
         if (stiffness.rows() != stiffness.cols()) {
@@ -68,7 +86,7 @@ Result<DirichletProblem> DirichletProblem::create(const SparseMatrix& stiffness,
             role[static_cast<std::size_t>(v)] = Role::fixed;
             local[static_cast<std::size_t>(v)] = static_cast<Index>(k);
         }
-        if (Status status = reach_all(stiffness, role); !status) return status.error();
+        if (Status status = reach_all(stiffness, structure, role); !status) return status.error();
 
         DirichletProblem problem;
         problem.size_ = n;
@@ -80,13 +98,15 @@ Result<DirichletProblem> DirichletProblem::create(const SparseMatrix& stiffness,
         }
         std::vector<Eigen::Triplet<double, Index>> inner;
         std::vector<Eigen::Triplet<double, Index>> outer;
-        for (const Index column : problem.free_) {
-            const Index j = local[static_cast<std::size_t>(column)];
+        for (Index column = 0; column < n; ++column) {
+            const Role kind = role[static_cast<std::size_t>(column)];
+            if (kind == Role::isolated) continue;
+            auto& block = kind == Role::free ? inner : outer;
             for (SparseMatrix::InnerIterator it(stiffness, column); it; ++it) {
                 const auto row = static_cast<std::size_t>(it.index());
-                // S is symmetric: the row of a free vertex is read from its column.
-                if (role[row] == Role::free) inner.emplace_back(local[row], j, it.value());
-                if (role[row] == Role::fixed) outer.emplace_back(j, local[row], it.value());
+                if (role[row] == Role::free) {
+                    block.emplace_back(local[row], local[static_cast<std::size_t>(column)], it.value());
+                }
             }
         }
         const auto free_count = static_cast<Index>(problem.free_.size());
@@ -94,14 +114,8 @@ Result<DirichletProblem> DirichletProblem::create(const SparseMatrix& stiffness,
         inner_matrix.setFromTriplets(inner.begin(), inner.end());
         problem.coupling_.resize(free_count, static_cast<Index>(fixed.size()));
         problem.coupling_.setFromTriplets(outer.begin(), outer.end());
-        if (Status status = problem.factor_.factor(inner_matrix); !status) {
-            Error error = status.error();
-            if (error.code == ErrorCode::not_positive_definite) {
-                error.element = problem.free_[static_cast<std::size_t>(error.element)];
-                error.message = "the fixed values do not determine the solution: no positive pivot at vertex " +
-                                std::to_string(error.element);
-            }
-            return error;
+        if (Status status = problem.factor_.factor(inner_matrix, structure); !status) {
+            return name_vertex(status.error(), problem.free_);
         }
         return problem;
     });

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "polylap/operators/operator.hpp"
-#include "polylap/solve/spd_factor.hpp"
+#include "polylap/solve/linear_factor.hpp"
 
 namespace polylap {
 
@@ -9,9 +9,10 @@ namespace polylap {
 /// for any number of steps.
 class ImplicitSmoother {
 public:
-    /// @param matrices symmetric S, positive diagonal M   @param time t > 0, length²
-    /// @error bad_argument (t not positive, sizes that do not fit), mass_not_positive (element = vertex),
-    /// not_positive_definite (element = vertex), out_of_memory
+    /// @param matrices any S; M diagonal or sparse, symmetric positive definite   @param time t > 0, length²
+    /// @error bad_argument (t not positive, sizes that do not fit), mass_not_positive (element = vertex: its diagonal
+    ///        entry of M), not_positive_definite (M + t S is not, or is singular if S is not positive semi-definite;
+    ///        element = vertex, -1 where none can be named), out_of_memory
     static Result<ImplicitSmoother> create(const OperatorMatrices& matrices, double time);
 
     /// The same for other values of S, M and t: keeps the ordering and symbolic analysis while the pattern stands.
@@ -24,8 +25,8 @@ public:
 private:
     ImplicitSmoother() = default;
 
-    SpdFactor factor_;
-    Vector mass_;
+    LinearFactor factor_;
+    SparseMatrix mass_;  ///< 1 on the diagonal of vertices in no face.
 };
 
 }  // namespace polylap
