@@ -1,7 +1,6 @@
 // Stands in for declared parts of the core until they have landed; each definition is weak and gives way. To be
 // removed.
 #include "polylap/apply/convergence.hpp"
-#include "polylap/mesh/mesh_io.hpp"
 #include "polylap/session.hpp"
 
 #define AWAITED __attribute__((weak))
@@ -10,19 +9,8 @@ namespace polylap {
 namespace {
 const Error awaited{ErrorCode::bad_argument, "this part of the core has not been built yet"};
 }  // namespace
-AWAITED Result<std::string> write_mesh(const PolygonMesh& mesh, MeshFormat format) {
-    if (format != MeshFormat::obj) return awaited;
-    return write_obj(mesh);
-}
-AWAITED Result<MeshFormat> format_of(std::string_view name) {
-    if (name.ends_with(".obj")) return MeshFormat::obj;
-    return awaited;
-}
 AWAITED Result<std::vector<ConvergenceStudy>> study_convergence(const OperatorSpec&, Monitor) {
     return awaited;
-}
-AWAITED std::string_view repair_name(RepairChange::Kind) noexcept {
-    return "merged-vertices";
 }
 AWAITED Result<OrthogonalDual> Session::dual(Side side, DualOptions options, Monitor monitor) {
     return orthogonal_dual(surface(side), options, monitor);

@@ -18,7 +18,9 @@ T load(std::string_view bytes, std::size_t at, ByteOrder order) {
     std::array<char, sizeof(T)> raw;
     std::memcpy(raw.data(), bytes.data() + at, sizeof(T));
     if ((order == ByteOrder::big) != (std::endian::native == std::endian::big)) std::reverse(raw.begin(), raw.end());
-    return std::bit_cast<T>(raw);
+    T value;  // Not std::bit_cast, which Emscripten's library lacks.
+    std::memcpy(&value, raw.data(), sizeof(T));
+    return value;
 }
 
 }  // namespace polylap::io

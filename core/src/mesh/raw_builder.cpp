@@ -87,7 +87,8 @@ Error RawBuilder::fault_of_face(Place place, const std::string& what, ErrorCode 
 }
 
 RawMesh RawBuilder::finish() {
-    return {Eigen::Map<const Points>(coordinates_.data(), vertex(), 3), std::move(offsets_), std::move(corners_), {}};
+    const auto vertices = static_cast<Eigen::Index>(vertex());
+    return {Eigen::Map<const Points>(coordinates_.data(), vertices, 3), std::move(offsets_), std::move(corners_), {}};
 }
 
 }  // namespace polylap::io

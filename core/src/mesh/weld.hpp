@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -31,7 +30,7 @@ public:
     Index weld(const std::array<double, 3>& position, Index number) {
         std::array<std::uint64_t, 3> key;
         for (std::size_t k = 0; k < 3; ++k)
-            key[k] = std::bit_cast<std::uint64_t>(position[k] + 0.0);  // -0 + 0 = 0
+            key[k] = Eigen::numext::bit_cast<std::uint64_t>(position[k] + 0.0);  // -0 + 0 = 0
         return numbers_.try_emplace(key, number).first->second;
     }
 
