@@ -25,7 +25,8 @@ constexpr Index exact_tie_corners = 64;
 /// consists of best parts. The part i–j, i < j, is what the chord i–j cuts off.
 ///
 /// First the two largest angles of every part are found, which leaves few apices. From the whole down, those that still
-/// tie are then compared by all angles: sums of hashes tell equal lists, and only for others the lists are made.
+/// tie are then compared by all angles: sums of hashes tell equal lists, and unequal ones are compared where they
+/// differ.
 class MinMaxAngle {
 public:
     explicit MinMaxAngle(const PlanePolygon& polygon)
@@ -44,7 +45,6 @@ public:
         if (exact_ties_) {
             candidates_.assign(apices_.size(), 0);
             hashes_.assign(apices_.size(), 0);
-            starts_.assign(apices_.size(), not_made);
         }
         measure_directions();
         for (Index i = 0; i + 1 < n_; ++i) {
@@ -65,7 +65,6 @@ public:
 
 private:
     using Table = Eigen::ArrayXXd;
-    static constexpr std::size_t not_made = static_cast<std::size_t>(-1);
 
     std::size_t slot(Index i, Index j) const {
         return static_cast<std::size_t>(i) * static_cast<std::size_t>(n_) + static_cast<std::size_t>(j);
@@ -103,13 +102,11 @@ private:
         second_(i, j) = second_(j, i) = second;
     }
 
-    /// The angles of the triangle i, k, j, largest first.
+    /// The angles of the triangle i, k, j.
     std::array<double, 3> angles(Index i, Index k, Index j) const {
         const double a = directions_(j, i) - directions_(k, i);
         const double b = directions_(k, j) - directions_(i, j);
-        std::array<double, 3> all{a, b, std::numbers::pi - a - b};
-        std::sort(all.begin(), all.end(), std::greater<>());
-        return all;
+        return {a, b, std::numbers::pi - a - b};
     }
 
     /// The two largest angles of the part i–j for each apex i + 1, i + 2, …: those of its triangle and of both sides.
@@ -163,26 +160,26 @@ private:
         std::uint64_t candidates = std::exchange(candidates_[slot(i, j)], 0);
         if (candidates == 0) return;  // an edge, or done
         Index best = -1;
-        std::size_t list = not_made;  // the angles of the best, once they were needed
+        std::uint64_t best_hash = 0;
         for (; candidates != 0; candidates &= candidates - 1) {
             const Index k = i + 1 + std::countr_zero(candidates);
             resolve(i, k);
             resolve(k, j);
-            if (best >= 0 && !smaller(i, k, j, best, list)) continue;
+            const std::uint64_t hash = hash_of(i, k, j);
+            if (best >= 0 && (hash == best_hash || !smaller(i, k, j, best))) continue;
             best = k;
-            if (list != not_made) make_list(i, k, j, list);
+            best_hash = hash;
         }
         apices_[slot(i, j)] = best;
-        hashes_[slot(i, j)] = hash(i, best, j);
-        starts_[slot(i, j)] = list;
+        hashes_[slot(i, j)] = best_hash;
     }
 
     /// Of the angles of the part i–j with apex k. Equal hashes: the lists are equal up to the tolerance. Unequal ones
     /// may be, too.
-    std::uint64_t hash(Index i, Index k, Index j) const {
+    std::uint64_t hash_of(Index i, Index k, Index j) const {
         std::uint64_t sum = hashes_[slot(i, k)] + hashes_[slot(k, j)];
         for (const double angle : angles(i, k, j)) {
-            auto h = static_cast<std::uint64_t>(std::llround(angle / angle_tolerance));  // mixed as by splitmix64
+            auto h = static_cast<std::uint64_t>(angle / angle_tolerance);  // mixed as by splitmix64
             h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9;
             h = (h ^ (h >> 27)) * 0x94d049bb133111eb;
             sum += h ^ (h >> 31);
@@ -190,69 +187,65 @@ private:
         return sum;
     }
 
-    /// The apex k gives smaller angles to the part i–j than the best so far.
-    bool smaller(Index i, Index k, Index j, Index best, std::size_t& list) {
-        if (hash(i, k, j) == hash(i, best, j)) return false;
-        if (list == not_made) {
-            list = lists_.size();
-            lists_.resize(list + list_size(i, j));
-            make_list(i, best, j, list);
+    struct Part {
+        Index i, j;
+        friend bool operator==(const Part&, const Part&) = default;
+        friend bool operator<(const Part& a, const Part& b) {
+            return std::pair(a.j - a.i, a.i) < std::pair(b.j - b.i, b.i);
         }
-        bool less = false;
-        merge(i, k, j, [&, at = list](double angle) mutable {
-            const double other = lists_[at++];
-            less = angle < other - angle_tolerance;
-            return std::abs(angle - other) <= angle_tolerance;
-        });
-        return less;
-    }
+    };
 
-    static std::size_t list_size(Index i, Index j) { return 3 * static_cast<std::size_t>(j - i - 1); }
+    /// One of two triangulations that are compared: the angles of triangles, and a heap of resolved parts, the longest
+    /// on top.
+    struct Side {
+        std::vector<double> angles;
+        std::vector<Part> parts;
 
-    /// Where the list of a part whose apex is chosen begins; made where it was not.
-    std::size_t list_of(Index i, Index j) {
-        if (j == i + 1) return 0;
-        if (starts_[slot(i, j)] == not_made) {
-            const std::size_t start = lists_.size();
-            lists_.resize(start + list_size(i, j));
-            starts_[slot(i, j)] = start;
-            make_list(i, apices_[slot(i, j)], j, start);
+        void push(Part part) {
+            if (part.j == part.i + 1) return;
+            parts.push_back(part);
+            std::push_heap(parts.begin(), parts.end());
         }
-        return starts_[slot(i, j)];
+        Part pop() {
+            std::pop_heap(parts.begin(), parts.end());
+            const Part top = parts.back();
+            parts.pop_back();
+            return top;
+        }
+    };
+
+    void add_triangle(Side& side, Index i, Index k, Index j) const {
+        const auto own = angles(i, k, j);
+        side.angles.insert(side.angles.end(), own.begin(), own.end());
+        side.push({i, k});
+        side.push({k, j});
     }
 
-    /// Writes the angles of the part i–j with apex k, largest first.
-    void make_list(Index i, Index k, Index j, std::size_t at) {
-        merge(i, k, j, [&](double angle) {
-            lists_[at++] = angle;
-            return true;
-        });
-    }
-
-    /// Visits the angles of the part i–j with apex k, largest first, until the visitor returns false.
-    template <class Visit>
-    void merge(Index i, Index k, Index j, Visit&& visit) {
-        constexpr double nothing = -std::numeric_limits<double>::infinity();
-        const std::array<double, 3> own = angles(i, k, j);
-        std::size_t left = list_of(i, k);
-        std::size_t right = list_of(k, j);
-        const std::size_t left_end = left + list_size(i, k);
-        const std::size_t right_end = right + list_size(k, j);
-        std::size_t used = 0;
-        while (true) {
-            const double x = left < left_end ? lists_[left] : nothing;
-            const double y = right < right_end ? lists_[right] : nothing;
-            const double z = used < own.size() ? own[used] : nothing;
-            const double angle = std::max({x, y, z});
-            if (angle == nothing || !visit(angle)) return;
-            if (x == angle) {
-                ++left;
-            } else if (y == angle) {
-                ++right;
-            } else {
-                ++used;
+    /// The apex k gives smaller angles to the part i–j than the best so far. Parts that both have are left out.
+    bool smaller(Index i, Index k, Index j, Index best) {
+        auto& [ours, theirs] = sides_;
+        ours.angles.clear();
+        theirs.angles.clear();
+        add_triangle(ours, i, k, j);
+        add_triangle(theirs, i, best, j);
+        while (!ours.parts.empty() || !theirs.parts.empty()) {
+            if (!ours.parts.empty() && !theirs.parts.empty() && ours.parts[0] == theirs.parts[0]) {
+                ours.pop();
+                theirs.pop();
+                continue;
             }
+            const bool first = theirs.parts.empty() || (!ours.parts.empty() && theirs.parts[0] < ours.parts[0]);
+            Side& side = first ? ours : theirs;
+            const Part part = side.pop();
+            add_triangle(side, part.i, apices_[slot(part.i, part.j)], part.j);
         }
+        std::sort(ours.angles.begin(), ours.angles.end(), std::greater<>());
+        std::sort(theirs.angles.begin(), theirs.angles.end(), std::greater<>());
+        for (std::size_t m = 0; m < ours.angles.size(); ++m) {
+            const double difference = ours.angles[m] - theirs.angles[m];
+            if (std::abs(difference) > angle_tolerance) return difference < 0;
+        }
+        return false;
     }
 
     /// Hands over the triangles of the whole; false if it has none.
@@ -282,8 +275,7 @@ private:
     // Only for exact ties.
     std::vector<std::uint64_t> candidates_;  ///< Apices of each part, bit m for i + 1 + m; 0 once they are resolved.
     std::vector<std::uint64_t> hashes_;      ///< Sums over the angles of each part.
-    std::vector<std::size_t> starts_;        ///< Where the list of each part begins, or not_made.
-    std::vector<double> lists_;              ///< Angles of parts, largest first, one list after the other.
+    std::array<Side, 2> sides_;
 
     // For one part at a time, by apex.
     Eigen::ArrayXd first_choice_, second_choice_;
