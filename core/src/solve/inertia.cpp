@@ -8,9 +8,8 @@
 namespace polylap {
 namespace {
 
-/// Largest diagonal entry of |L| |D| |L|ᵀ relative to |S|∞ that a count may have: the pivots are those of a matrix that
-/// differs from S by that times rounding, 2e-16 per term. Measured on the meshes of the tests: below 10 next to most
-/// shifts, beyond 1e4 only within 1e-9 of an eigenvalue or where a pivot happens to vanish.
+/// Largest diagonal entry of |L| |D| |L|ᵀ relative to |S|∞ that a count may have. The pivots are those of a matrix that
+/// differs from S by rounding, 1e-16 per term, times that: below eigenpair_tolerance for up to 100 terms.
 constexpr double growth_limit = 1e5;
 
 }  // namespace

@@ -9,7 +9,8 @@
 namespace polylap {
 
 /// A general matrix whose rows were scaled to a largest |entry| of 1 counts as singular when its condition number, by
-/// inverse iteration, is beyond this. Measured: see linear_factor_test.
+/// inverse iteration, is beyond this. Measured: random walks on tori with a
+/// fixed vertex have 2e3 (450 vertices) to 1.4e5 (20 000), about seven times the vertices; without one, beyond 1e17.
 inline constexpr double condition_limit = 1e13;
 
 /// Factor of a nonsingular sparse matrix by the solver that its structure allows: Cholesky where it is positive
