@@ -1,7 +1,14 @@
 /** The asynchronous client, with the real core in a real worker thread. */
 import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
 import { startClient, type WorkerLike } from '../../wasm/src/client.js';
-import { type Client, type Mesh, type OperatorSpec, PolylapError, type Smoothed } from '../../wasm/src/index.js';
+import {
+  type Client,
+  type Mesh,
+  type OperatorSpec,
+  operators,
+  PolylapError,
+  type Smoothed,
+} from '../../wasm/src/index.js';
 import { load } from '../../wasm/src/node.js';
 import { readMesh } from './native.js';
 import { bundleWorker, ThreadWorker } from './thread.js';
@@ -73,6 +80,9 @@ describe('calls', () => {
     expect(await mesh.matrices(planar)).toEqual(session.matrices(planar));
     const fixed = { vertices: [0, 5, 100], values: [0, 1, 2.5] };
     expect(await mesh.harmonic(aw, fixed)).toEqual(session.harmonic(aw, fixed));
+    expect(await mesh.check(aw)).toEqual(session.check(aw));
+    expect(await mesh.dual({ mu: 0.5 })).toEqual(session.dual({ mu: 0.5 }));
+    expect(await mesh.file('ply')).toEqual(session.file('ply'));
     const options = { time: 0.01, steps: 3 };
     expect(await mesh.smooth(aw, options)).toEqual(session.smooth(aw, options));
     expect(await mesh.file('obj')).toEqual(session.file('obj'));
@@ -91,6 +101,56 @@ describe('calls', () => {
       expect((await open(input, 'a.obj')).vertices).toBe(9);
     }
     expect(bytes.length).toBe(text.length);
+  });
+
+  it('opens with repair', async () => {
+    const { open } = await start().then((c) => ({ open: c.open.bind(c) }));
+    const twice = `${readMesh('grid-2x2.obj')}\nf 1 2 5 4\nf 1 1 2\n`;
+    expect((await failure(open(twice, 'twice.obj'))).code).toBe('bad-mesh');
+    const { faces, repairs } = await open(twice, 'twice.obj', { repair: true });
+    expect(faces).toBe(4);
+    expect(repairs.changes.map(({ kind }) => kind)).toContain('degenerate-faces');
+    expect(repairs.originalFaces).toEqual(Int32Array.of(0, 1, 2, 3));
+  });
+
+  it('converts a side to a mesh of its own', async () => {
+    const c = await start();
+    const polylap = await load();
+    const [mesh, session] = [await c.make(torus), polylap.make(torus)];
+    await mesh.smooth(aw, { time: 0.01 }, { side: 'b' });
+    session.smooth(aw, { time: 0.01 }, { side: 'b' });
+    const made = await mesh.convert({ conversion: 'quads' }, { side: 'b' });
+    const theirs = session.convert({ conversion: 'quads' }, { side: 'b' });
+    expect(made).toMatchObject({ name: 'quads of torus', ...theirs.info(), geometry: theirs.geometry() });
+    await mesh.close();
+    expect(await made.file('obj')).toEqual(theirs.file('obj'));
+    expect((await failure(made.convert({ conversion: 'gold' } as never))).code).toBe('bad-argument');
+  });
+
+  it('takes weights of vertices and leaves them to the caller', async () => {
+    const mesh = await (await start()).make({ shape: 'ico-sphere' });
+    const session = (await load()).make({ shape: 'ico-sphere' });
+    for (const { id } of operators.filter(({ takesVertexWeights }) => takesVertexWeights)) {
+      const vertexWeights = Float64Array.from({ length: mesh.vertices }, (_, v) => 0.01 * Math.cos(v));
+      const spec = { id, vertexWeights } as OperatorSpec;
+      const expected = session.matrices(spec);
+      const waiting = mesh.matrices(spec);
+      expect(vertexWeights.length).toBe(mesh.vertices);
+      vertexWeights.fill(7);
+      expect(await waiting).toEqual(expected);
+      vertexWeights[3] = Number.NaN;
+      expect(await failure(mesh.matrices(spec))).toMatchObject({ code: 'bad-argument', element: 3 });
+    }
+  });
+
+  it('studies convergence', async () => {
+    const c = await start();
+    const fractions: number[] = [];
+    const studies = await c.convergence(planar, { onProgress: (fraction) => fractions.push(fraction) });
+    expect(studies).toEqual((await load()).convergence(planar));
+    expect(fractions).toEqual([...fractions].sort((a, b) => a - b));
+    expect(fractions.length).toBeGreaterThan(0);
+    expect(await failure(c.convergence(planar, { signal: AbortSignal.abort() }))).toMatchObject({ code: 'cancelled' });
   });
 
   it('hands over code, message, element and line, and keeps the meshes', async () => {
@@ -235,6 +295,27 @@ describe('cancelling', () => {
     expect(workers.length).toBe(1);
   });
 
+  it('makes nothing that is no longer wanted', async () => {
+    const c = await start();
+    const mesh = await c.make(torus);
+    const [making, converting] = [new AbortController(), new AbortController()];
+    const refused = [
+      failure(c.make(torus, { signal: making.signal })),
+      failure(mesh.convert({ conversion: 'dual' }, { signal: converting.signal })),
+    ];
+    making.abort();
+    await until(() => last().sent.some((sent) => sent.kind === 'request' && sent.request.call === 'convert'));
+    converting.abort();
+    for (const { code } of await Promise.all(refused)) expect(code).toBe('cancelled');
+    await mesh.shape();
+    // Each was closed again in the worker, by the number it had there.
+    const closed = last().sent.flatMap((sent) =>
+      sent.kind === 'request' && sent.request.call === 'close' ? [sent.request.takes.mesh] : [],
+    );
+    expect(closed).toEqual([1, 2]);
+    expect(workers.length).toBe(1);
+  });
+
   it('ends a worker that does not stop, and goes on with everything as it was', async () => {
     const c = await start();
     const reasons: string[] = [];
@@ -243,11 +324,12 @@ describe('cancelling', () => {
     const mesh = await c.make(big);
     await saddle.smooth(aw, { time: 0.01, steps: 3 });
     await saddle.smooth(planar, { time: 0.02, steps: 2 }, { side: 'b' });
-    const before = [await coordinates(saddle, 'a'), await coordinates(saddle, 'b')];
+    const dual = await saddle.convert({ conversion: 'dual' }, { side: 'b' });
+    const before = [await coordinates(saddle, 'a'), await coordinates(saddle, 'b'), await coordinates(dual)];
 
     const abort = new AbortController();
     const cancelled = failure(mesh.smooth(aw, { time: 1, steps: 1 }, { signal: abort.signal }));
-    const queued = [coordinates(saddle, 'a'), coordinates(saddle, 'b')];
+    const queued = [coordinates(saddle, 'a'), coordinates(saddle, 'b'), coordinates(dual)];
     await until(() => last().sent.at(-1)?.kind === 'request');
     await new Promise((resolve) => setTimeout(resolve, 20));
     const aborted = performance.now();

@@ -43,6 +43,10 @@ it('says ready first, then hands over the memory of every array in a reply, each
     [{ call: 'weights', takes: { ...side, spec } }, 5],
     [{ call: 'harmonic', takes: { ...side, spec, fixed: { vertices: [0, 9], values: [0, 1] } } }, 2],
     [{ call: 'matrices', takes: { ...side, spec } }, 6],
+    [{ call: 'check', takes: { ...side, spec } }, 1],
+    [{ call: 'dual', takes: { ...side, options: {} } }, 7],
+    [{ call: 'file', takes: { ...side, format: 'ply' } }, 1],
+    [{ call: 'convert', takes: { ...side, conversion: { conversion: 'dual' }, made: 1 } }, 10],
     [{ call: 'smooth', takes: { ...side, spec, options: { time: 0.01 }, showSteps: false } }, 2],
   ];
   for (const [request, count] of requests) {

@@ -1,6 +1,5 @@
 // Stands in for declared parts of the core until they have landed; each definition is weak and gives way. To be
 // removed.
-#include "polylap/apply/convergence.hpp"
 #include "polylap/session.hpp"
 
 #define AWAITED __attribute__((weak))
@@ -9,9 +8,6 @@ namespace polylap {
 namespace {
 const Error awaited{ErrorCode::bad_argument, "this part of the core has not been built yet"};
 }  // namespace
-AWAITED Result<std::vector<ConvergenceStudy>> study_convergence(const OperatorSpec&, Monitor) {
-    return awaited;
-}
 AWAITED Result<OrthogonalDual> Session::dual(Side side, DualOptions options, Monitor monitor) {
     return orthogonal_dual(surface(side), options, monitor);
 }

@@ -119,11 +119,10 @@ export function operatorParts(spec: OperatorSpec): OperatorParts {
   const what = 'an operator, {id: …},';
   const { vertexWeights, ...rest } = fields<object & { vertexWeights?: unknown }>(spec, what);
   const { id, ...parameters } = settings(rest, what);
-  const given = (vertexWeights ?? undefined) !== undefined;
   return {
     id: String(id ?? ''),
     settings: parameters,
-    vertexWeights: given ? weightsOfVertices(vertexWeights) : undefined,
+    vertexWeights: vertexWeights === undefined ? undefined : weightsOfVertices(vertexWeights),
   };
 }
 

@@ -287,6 +287,7 @@ export interface RepairChange {
     | 'degenerate-faces'
     | 'duplicate-faces'
     | 'turned-faces'
+    | 'unorientable-faces'
     | 'dropped-vertices';
   elements: Int32Array;
   message: string;
