@@ -118,7 +118,7 @@ val shape(const Session& session, Side side) {
 /// As bytes: not all formats are text.
 val file(const Session& session, Side side, const std::string& ending) {
     return guarded([&]() -> Result<val> {
-        const auto format = format_of('.' + ending);
+        const auto format = format_of("mesh." + ending);
         if (!format) return format.error();
         const auto contents = write_mesh(session.surface(side), *format);
         if (!contents) return contents.error();
