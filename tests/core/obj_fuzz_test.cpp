@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh_files.hpp"
 #include "polylap/mesh/mesh_io.hpp"
 
 namespace polylap {
@@ -53,41 +54,11 @@ const std::vector<std::string> snippets = {"\n",
                                            "2147483647",
                                            "-2147483648"};
 
-std::string mutate(std::string text, std::mt19937& random) {
-    const auto below = [&random](std::size_t n) { return n == 0 ? 0 : random() % n; };
-    for (std::size_t count = 1 + below(4); count > 0; --count) {
-        const std::size_t at = below(text.size() + 1);
-        switch (below(7)) {
-            case 0:
-                text.resize(at);
-                break;
-            case 1:
-                if (at < text.size()) text[at] = static_cast<char>(text[at] ^ (1 << below(8)));
-                break;
-            case 2:
-                if (at < text.size()) text[at] = static_cast<char>(below(256));
-                break;
-            case 3:
-                text.erase(at, 1 + below(6));
-                break;
-            case 4:
-                text.insert(at, snippets[below(snippets.size())]);
-                break;
-            case 5:
-                text.insert(below(text.size() + 1), text.substr(at, below(20)));
-                break;
-            default:
-                if (at < text.size()) std::swap(text[at], text[below(text.size())]);
-        }
-    }
-    return text;
-}
-
 TEST(ObjFuzz, GivesASoundMeshOrSaysWhatIsWrong) {
     std::mt19937 random(4711);
     int accepted = 0, with_line = 0, whole_file = 0;
     for (int round = 0; round < 20000; ++round) {
-        const std::string text = mutate(seeds[random() % seeds.size()], random);
+        const std::string text = test::mutate(seeds[random() % seeds.size()], snippets, random);
         const std::vector<char> exact(text.begin(),
                                       text.end());  // no terminator behind the end: a sanitizer sees reads past it
         SCOPED_TRACE("round " + std::to_string(round) + ": " + testing::PrintToString(text));

@@ -44,6 +44,10 @@ Error no_faces(std::int64_t vertices) {
     return whole_file("the file has no faces, only " + std::to_string(vertices) + " vertices");
 }
 
+Error more_follows(Place place, std::int64_t faces) {
+    return fault(place, -1, "more follows than the " + std::to_string(faces) + " faces that the header announces");
+}
+
 class TextReader {
 public:
     TextReader(LineScanner lines, std::string_view first_count, FaceRule rule, Ticker ticker)
@@ -61,10 +65,7 @@ public:
             if (auto error = read_face()) return std::move(*error);
             if (!ticker_.proceed(lines_.position())) return cancelled();
         }
-        if (lines_.next_line())
-            return fault(place(), -1,
-                         "more follows than the " + std::to_string(vertices_) + " vertices and " +
-                             std::to_string(faces_) + " faces that the header announces");
+        if (lines_.next_line()) return more_follows(place(), faces_);
         return builder_.finish();
     }
 
@@ -173,10 +174,7 @@ public:
             if (auto error = read_face()) return std::move(*error);
             if (!ticker_.proceed(at_)) return cancelled();
         }
-        if (at_ != bytes_.size())
-            return fault(at_byte(at_), -1,
-                         std::to_string(bytes_.size() - at_) + " more bytes follow the " + std::to_string(faces_) +
-                             " faces that the header announces");
+        if (at_ != bytes_.size()) return more_follows(at_byte(at_), faces_);
         return builder_.finish();
     }
 

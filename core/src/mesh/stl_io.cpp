@@ -74,8 +74,7 @@ Result<RawMesh> read_binary(std::string_view bytes, FaceRule rule, Ticker ticker
     }
     if (at != bytes.size())
         return fault(at_byte(at), -1,
-                     std::to_string(bytes.size() - at) + " more bytes follow the " + std::to_string(count) +
-                         " facets that the header announces");
+                     "more follows than the " + std::to_string(count) + " facets that the header announces");
     return facets.finish();
 }
 

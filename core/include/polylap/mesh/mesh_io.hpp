@@ -39,8 +39,8 @@ Result<RawMesh> read_raw(std::span<const std::byte> bytes, MeshFormat format, Mo
 /// ascii, binary_little_endian, binary_big_endian; other properties and elements skipped. STL: ascii and binary; equal
 /// positions are welded.
 /// @error bad_mesh (line; element = face): a face with fewer than three or with repeated corners, which read_raw lets
-/// pass and repair (repair.hpp) removes. parse_error: anything else, which is no matter of repair. out_of_memory,
-/// cancelled
+/// pass and repair (repair.hpp) removes, unless a parse_error comes later in the file. parse_error: anything else,
+/// which is no matter of repair. out_of_memory, cancelled
 Result<PolygonMesh> read_mesh(std::span<const std::byte> bytes, MeshFormat format, Monitor monitor = {});
 
 /// Writes a mesh: OBJ, ASCII OFF and ASCII PLY with 17 significant digits; binary STL.
