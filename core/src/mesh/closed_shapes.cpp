@@ -122,9 +122,9 @@ Vector3 pole_of(const Vector3& a, const Vector3& b, const Vector3& c) {
 
 Result<PolygonMesh> hexagon_sphere(std::span<const double> p) {
     return guard_memory([&]() -> Result<PolygonMesh> {
-        const auto triangles = ico_sphere(p.first(1));
+        auto triangles = ico_sphere(p.first(1));
         if (!triangles) return triangles;
-        const auto dual = dual_mesh(*triangles);
+        auto dual = dual_mesh(*triangles);
         if (!dual) return dual;
         Points positions = dual->positions();  // vertex f is at the middle of triangle f
         for (Index f = 0; f < triangles->face_count(); ++f) {

@@ -20,7 +20,7 @@ Result<PolygonMesh> skew_grid(std::span<const double> p) {
     return guard_memory([&]() -> Result<PolygonMesh> {
         const Index nx = count_of(p[0]);
         const Index ny = count_of(p[1]);
-        const auto grid = make_grid(nx, ny);
+        auto grid = make_grid(nx, ny);
         if (!grid) return grid;
         Points positions = grid->positions();
         for (Index j = 0; j <= ny; ++j) {
@@ -155,9 +155,9 @@ Result<PolygonMesh> cylinder(std::span<const double> p) {
 /// A saddle beneath a sphere.
 Result<PolygonMesh> two_components(std::span<const double> p) {
     return guard_memory([&]() -> Result<PolygonMesh> {
-        const auto sheet = make_saddle(count_of(p[0]), 0.5);
+        auto sheet = make_saddle(count_of(p[0]), 0.5);
         if (!sheet) return sheet;
-        const auto ball = cube_sphere_shape.make(p);
+        auto ball = cube_sphere_shape.make(p);
         if (!ball) return ball;
         MeshBuilder mesh;
         mesh.add(*sheet, Vector3::Zero());
