@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <limits>
 
@@ -58,17 +57,12 @@ struct SideState {
     MatricesKey key() const { return {version, spec}; }
 };
 
-std::string lower_case_ending(std::string_view name) {
-    const auto dot = name.rfind('.');
-    std::string ending(dot == std::string_view::npos ? std::string_view() : name.substr(dot));
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-    return ending;
-}
-
 }  // namespace
 
 struct Session::Impl {
     PolygonMesh loaded;
+    Repairs repairs;
+    std::vector<std::string> notes;
     Topology topology;
     DisplayTriangles display;
     Vector3 origin;
@@ -79,6 +73,7 @@ struct Session::Impl {
     Cache<MatricesKey, OperatorMatrices, 4> matrices;
     std::array<SmootherSlot, 2> smoothers;
     Cache<DirichletKey, DirichletProblem, 4> problems;
+    Cache<MatricesKey, PropertyReport, 4> reports;
 
     explicit Impl(PolygonMesh mesh)
         : loaded(std::move(mesh)),
@@ -122,14 +117,34 @@ Result<Session> Session::from_mesh(PolygonMesh mesh) {
 }
 
 Result<Session> Session::open(std::span<const std::byte> bytes, std::string_view name, Monitor monitor) {
+    return open(bytes, name, {}, monitor);
+}
+
+Result<Session> Session::open(std::span<const std::byte> bytes, std::string_view name, const OpenOptions& options,
+                              Monitor monitor) {
     return guard_memory([&]() -> Result<Session> {
-        if (lower_case_ending(name) != ".obj") {
-            return Error{ErrorCode::bad_argument,
-                         "'" + std::string(name) + "' is not an OBJ file: its name must end in .obj"};
+        const auto format = format_of(name);
+        if (!format) return format.error();
+        if (!options.repair) {
+            auto read = read_mesh_with_notes(bytes, *format, monitor);
+            if (!read) return read.error();
+            auto session = from_mesh(std::move(read->mesh));
+            if (session) session->impl_->notes = std::move(read->notes);
+            return session;
         }
-        auto mesh = read_obj(bytes, monitor);
-        if (!mesh) return mesh.error();
-        return from_mesh(*std::move(mesh));
+        Stretch reading{monitor, 0, 0.5};
+        Stretch repairing{monitor, 0.5, 1};
+        auto raw = read_raw(bytes, *format, reading.monitor());
+        if (!raw) return raw.error();
+        auto repaired = repair(*raw, options.repair_options, repairing.monitor());
+        if (!repaired) return repaired.error();
+        auto session = from_mesh(std::move(repaired->mesh));
+        if (session) {
+            session->impl_->notes = std::move(raw->notes);
+            session->impl_->repairs = {std::move(repaired->changes), std::move(repaired->original_vertices),
+                                       std::move(repaired->original_faces)};
+        }
+        return session;
     });
 }
 
@@ -141,6 +156,12 @@ const Topology& Session::topology() const noexcept {
 }
 const DisplayTriangles& Session::display() const noexcept {
     return impl_->display;
+}
+const Session::Repairs& Session::repairs() const noexcept {
+    return impl_->repairs;
+}
+const std::vector<std::string>& Session::notes() const noexcept {
+    return impl_->notes;
 }
 const Vector3& Session::origin() const noexcept {
     return impl_->origin;
@@ -288,6 +309,25 @@ Result<Session::Harmonic> Session::harmonic(Side side, std::span<const Index> ve
         }
         return harmonic;
     });
+}
+
+Result<const PropertyReport*> Session::check(Side side, Monitor monitor) {
+    return guard_memory([&]() -> Result<const PropertyReport*> {
+        const SideState& state = impl_->side(side);
+        const auto report = impl_->reports.get(state.key(), [&]() -> Result<PropertyReport> {
+            Stretch building{monitor, 0, 0.1};
+            Stretch measuring{monitor, 0.1, 1};
+            const auto built = impl_->build(state.surface, state.key(), building.monitor());
+            if (!built) return built.error();
+            return check_properties(state.surface, impl_->topology, **built, measuring.monitor());
+        });
+        if (!report) return report.error();
+        return report->get();  // the cache holds it until a later call
+    });
+}
+
+Result<OrthogonalDual> Session::dual(Side side, DualOptions options, Monitor monitor) {
+    return orthogonal_dual(impl_->side(side).surface, options, monitor);
 }
 
 void Session::reset(Side side) {

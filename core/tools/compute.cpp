@@ -1,23 +1,10 @@
 // The commands that compute: `matrix`, `smooth` and `harmonic`.
 #include "commands.hpp"
 #include "open_session.hpp"
-#include "polylap/mesh/mesh_io.hpp"
 #include "tables.hpp"
 
 namespace polylap::tool {
 namespace {
-
-constexpr auto side = Session::Side::a;
-
-/// A session on the mesh whose side a has the operator.
-Result<Session> open_with_operator(const std::string& mesh, const OperatorChoice& choice) {
-    auto spec = make_spec(choice.id, choice.settings);
-    if (!spec) return spec.error();
-    auto session = open_session(mesh);
-    if (!session) return session;
-    if (auto status = session->set_operator(side, std::move(*spec)); !status) return status.error();
-    return session;
-}
 
 /// The operator and its parameters in one line.
 std::string describe(const OperatorSpec& spec, const OperatorInfo& info) {
@@ -35,14 +22,14 @@ std::string describe(const OperatorSpec& spec, const OperatorInfo& info) {
 
 }  // namespace
 
-Result<Outputs> matrix(const std::string& mesh, const OperatorChoice& choice, const std::string& stiffness_path,
+Result<Outputs> matrix(const MeshChoice& mesh, const OperatorChoice& choice, const std::string& stiffness_path,
                        const std::string& mass_path) {
     auto session = open_with_operator(mesh, choice);
     if (!session) return session.error();
     const auto info = find_operator(choice.id);
     if (!info) return info.error();
     const auto matrices = session->matrices(side);
-    if (!matrices) return in_file(mesh, matrices.error());
+    if (!matrices) return in_file(mesh.path, matrices.error());
     const std::string description = describe(session->spec(side), **info);
     Outputs outputs{
         {stiffness_path, matrix_market((*matrices)->stiffness, (*info)->claims.symmetric.where == Claim::yes,
@@ -52,7 +39,7 @@ Result<Outputs> matrix(const std::string& mesh, const OperatorChoice& choice, co
     return outputs;
 }
 
-Result<Outputs> smooth(const std::string& mesh, const OperatorChoice& choice, const SmoothChoice& options,
+Result<Outputs> smooth(const MeshChoice& mesh, const OperatorChoice& choice, const SmoothChoice& options,
                        const std::string& path) {
     auto session = open_with_operator(mesh, choice);
     if (!session) return session.error();
@@ -60,22 +47,22 @@ Result<Outputs> smooth(const std::string& mesh, const OperatorChoice& choice, co
     const double time = options.time ? *options.time : options.time_h2.value() * h2;
     if (auto status = session->smooth(side, {.time = time, .steps = options.steps, .rebuild = !options.keep_operator});
         !status)
-        return in_file(mesh, status.error());
-    auto text = write_obj(session->surface(side));
-    if (!text) return text.error();
-    return Outputs{{path, *std::move(text)}};
+        return in_file(mesh.path, status.error());
+    auto output = mesh_output(session->surface(side), path);
+    if (!output) return output.error();
+    return Outputs{*std::move(output)};
 }
 
-Result<Outputs> harmonic(const std::string& mesh, const OperatorChoice& choice, const std::string& fixed_path,
+Result<Outputs> harmonic(const MeshChoice& mesh, const OperatorChoice& choice, const std::string& fixed_path,
                          const std::string& path) {
     auto session = open_with_operator(mesh, choice);
     if (!session) return session.error();
     const auto text = read_file(fixed_path);
     if (!text) return text.error();
-    const auto fixed = parse_fixed_values(*text, session->mesh().vertex_count());
+    const auto fixed = parse_vertex_values(*text, session->mesh().vertex_count(), "value");
     if (!fixed) return in_file(fixed_path, fixed.error());
     const auto result = session->harmonic(side, fixed->vertices, fixed->values);
-    if (!result) return in_file(mesh, result.error());
+    if (!result) return in_file(mesh.path, result.error());
     return Outputs{{path, values_csv(result->values)}};
 }
 

@@ -1,22 +1,16 @@
-// The commands that describe: `info` and `operators`.
+// The commands that describe: `info` and the tables `operators`, `shapes`, `conversions`.
 #include <iomanip>
 #include <map>
 #include <sstream>
 
-#include <nlohmann/json.hpp>
-
-#include "commands.hpp"
+#include "json_text.hpp"
 #include "open_session.hpp"
+#include "polylap/apply/conversions.hpp"
+#include "polylap/mesh/shapes.hpp"
 #include "polylap/mesh/topology.hpp"
 
 namespace polylap::tool {
 namespace {
-
-using nlohmann::ordered_json;
-
-std::string dump(const ordered_json& document) {
-    return document.dump(2, ' ', false, ordered_json::error_handler_t::replace) + '\n';
-}
 
 std::string info_text(const ordered_json& facts) {
     std::ostringstream text;
@@ -47,6 +41,10 @@ std::string info_text(const ordered_json& facts) {
     line("mean squared edge") << facts["meanSquaredEdge"] << '\n';
     for (const auto& issue : facts["issues"])
         line("issue") << issue["message"].get<std::string>() << '\n';
+    for (const auto& note : facts["notes"])
+        line("note") << note.get<std::string>() << '\n';
+    for (const auto& repair : facts["repairs"])
+        line("repaired") << repair["message"].get<std::string>() << '\n';
     return text.str();
 }
 
@@ -71,28 +69,8 @@ ordered_json parameter_json(const Parameter& parameter) {
     return json;
 }
 
-ordered_json operator_json(const OperatorInfo& info) {
-    ordered_json parameters = ordered_json::array();
-    for (const Parameter& parameter : info.parameters)
-        parameters.push_back(parameter_json(parameter));
-    ordered_json claims = ordered_json::object();
-    for (const PropertyInfo& property : properties()) {
-        const PropertyClaim& claim = info.claims.*property.claim;
-        claims[property.id] = {{"where", claim_name(claim.where)}, {"why", claim.why}};
-    }
-    return {{"id", info.id},
-            {"label", info.label},
-            {"formula", info.formula_latex},
-            {"citation", info.citation},
-            {"summary", info.summary},
-            {"parameters", parameters},
-            {"claims", claims}};
-}
-
-void append_operator_text(std::ostream& text, const OperatorInfo& info) {
-    text << info.id << "  " << info.label << "\n  " << info.summary << "\n  " << info.formula_latex << "\n  "
-         << info.citation << '\n';
-    for (const Parameter& parameter : info.parameters) {
+void append_parameters(std::ostream& text, std::span<const Parameter> parameters) {
+    for (const Parameter& parameter : parameters) {
         text << "  --set " << parameter.id << '=';
         if (parameter.kind == Parameter::Kind::choice) {
             const char* separator = "";
@@ -106,16 +84,70 @@ void append_operator_text(std::ostream& text, const OperatorInfo& info) {
         }
         text << (*parameter.hint != '\0' ? "; " : "") << parameter.hint << '\n';
     }
+}
+
+ordered_json parameters_json(std::span<const Parameter> parameters) {
+    ordered_json json = ordered_json::array();
+    for (const Parameter& parameter : parameters)
+        json.push_back(parameter_json(parameter));
+    return json;
+}
+
+ordered_json operator_json(const OperatorInfo& info) {
+    ordered_json claims = ordered_json::object();
+    for (const PropertyInfo& property : properties()) {
+        const PropertyClaim& claim = info.claims.*property.claim;
+        claims[property.id] = {{"where", claim_name(claim.where)}, {"why", claim.why}};
+    }
+    return {{"id", info.id},
+            {"label", info.label},
+            {"formula", info.formula_latex},
+            {"citation", info.citation},
+            {"summary", info.summary},
+            {"parameters", parameters_json(info.parameters)},
+            {"takesVertexWeights", info.takes_vertex_weights},
+            {"claims", claims}};
+}
+
+void append_operator_text(std::ostream& text, const OperatorInfo& info) {
+    text << info.id << "  " << info.label << "\n  " << info.summary << "\n  " << info.formula_latex << "\n  "
+         << info.citation << '\n';
+    append_parameters(text, info.parameters);
+    if (info.takes_vertex_weights) text << "  --weights FILE: a weight per vertex, length squared\n";
     for (const PropertyInfo& property : properties()) {
         const PropertyClaim& claim = info.claims.*property.claim;
         text << "  " << property.label << ": " << claim_name(claim.where) << ", " << claim.why << '\n';
     }
 }
 
+/// A table whose lines have id, label, summary and parameters.
+template <class Table>
+Result<Outputs> maker_table(const Table& table, bool json) {
+    ordered_json document = ordered_json::array();
+    std::ostringstream text;
+    for (const auto* entry : table) {
+        document.push_back({{"id", entry->id},
+                            {"label", entry->label},
+                            {"summary", entry->summary},
+                            {"parameters", parameters_json(entry->parameters)}});
+        text << entry->id << "  " << entry->summary << '\n';
+        append_parameters(text, entry->parameters);
+    }
+    return Outputs{{"-", json ? dump(document) : text.str()}};
+}
+
 }  // namespace
 
-Result<Outputs> info(const std::string& path, bool json) {
-    const auto session = open_session(path);
+Result<Outputs> shape_table(bool json) {
+    return maker_table(shapes(), json);
+}
+
+Result<Outputs> conversion_table(bool json) {
+    return maker_table(conversions(), json);
+}
+
+Result<Outputs> info(const MeshChoice& choice, bool json) {
+    const auto session = open_session(choice);
     if (!session) return session.error();
     const PolygonMesh& mesh = session->mesh();
     const Topology& topology = session->topology();
@@ -150,6 +182,11 @@ Result<Outputs> info(const std::string& path, bool json) {
     for (const MeshIssue& issue : find_issues(topology))
         facts["issues"].push_back(
             {{"kind", issue_name(issue.kind)}, {"count", issue.count}, {"message", issue.message}});
+    facts["notes"] = session->notes();
+    facts["repairs"] = ordered_json::array();
+    for (const RepairChange& change : session->repairs().changes)
+        facts["repairs"].push_back(
+            {{"kind", repair_name(change.kind)}, {"elements", change.elements}, {"message", change.message}});
     return Outputs{{"-", json ? dump(facts) : info_text(facts)}};
 }
 

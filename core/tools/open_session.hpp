@@ -1,26 +1,22 @@
 #pragma once
 
-#include <filesystem>
-
-#include "files.hpp"
+#include "commands.hpp"
 #include "polylap/session.hpp"
 
 namespace polylap::tool {
 
-/// A library error with the file it is about in front.
-inline Error in_file(const std::string& path, Error error) {
-    error.message = (path == "-" ? "standard input" : path) + ": " + error.message;
-    return error;
-}
+/// The side that commands work on.
+inline constexpr auto side = Session::Side::a;
 
-/// Opens a mesh file; "-" is an OBJ on standard input.
-inline Result<Session> open_session(const std::string& path) {
-    const auto bytes = read_file(path);
-    if (!bytes) return bytes.error();
-    auto session = Session::open(std::as_bytes(std::span(*bytes)),
-                                 path == "-" ? "stdin.obj" : std::filesystem::path(path).filename().string());
-    if (!session) return in_file(path, session.error());
-    return session;
-}
+/// A library error with the file it is about in front.
+Error in_file(const std::string& path, Error error);
+
+Result<Session> open_session(const MeshChoice& mesh);
+
+/// A session on the mesh whose side has the operator.
+Result<Session> open_with_operator(const MeshChoice& mesh, const OperatorChoice& choice);
+
+/// The surface in the format that the ending of `path` says; OBJ for standard output and names without an ending.
+Result<Output> mesh_output(const PolygonMesh& mesh, const std::string& path);
 
 }  // namespace polylap::tool

@@ -20,16 +20,17 @@ std::optional<double> parse_number(std::string_view text);
 /// @param symmetric write the lower triangle as `symmetric`; otherwise everything as `general`
 std::string matrix_market(const SparseMatrix& matrix, bool symmetric, std::string_view comment);
 
-struct FixedValues {
+struct VertexValues {
     std::vector<Index> vertices;
     std::vector<double> values;
 };
 
 /// Rows `vertex,value`, cells quoted or not; a first row that says just that, blank lines and `#` comments are read
 /// past.
+/// @param what the name of the second column, "value" or another
 /// @error parse_error (line; element = vertex): a row that is none, a vertex out of range or twice, a value that is no
 /// finite number, no rows
-Result<FixedValues> parse_fixed_values(std::string_view text, Index vertex_count);
+Result<VertexValues> parse_vertex_values(std::string_view text, Index vertex_count, std::string_view what);
 
 /// `vertex,value` rows for all vertices.
 std::string values_csv(const Vector& values);

@@ -43,7 +43,7 @@ TEST(Session, OpensFiles) {
         const Session session = get(Session::open(bytes, name));
         EXPECT_EQ(session.mesh().face_count(), 144) << name;
     }
-    for (const char* name : {"saddle.stl", "saddle", "", "obj", "saddle.obj.gz"}) {
+    for (const char* name : {"saddle.doc", "saddle", "", "obj", "saddle.obj.gz"}) {
         const auto refused = Session::open(bytes, name);
         ASSERT_FALSE(refused.ok()) << name;
         EXPECT_EQ(refused.error().code, ErrorCode::bad_argument) << name;

@@ -65,10 +65,18 @@ Result<RawMesh> read_raw(std::span<const std::byte> bytes, MeshFormat format, Mo
     return read(bytes, format, io::FaceRule::any, monitor);
 }
 
-Result<PolygonMesh> read_mesh(std::span<const std::byte> bytes, MeshFormat format, Monitor monitor) {
+Result<ReadMesh> read_mesh_with_notes(std::span<const std::byte> bytes, MeshFormat format, Monitor monitor) {
     auto raw = read(bytes, format, io::FaceRule::sound, monitor);
     if (!raw) return raw.error();
-    return PolygonMesh::create(std::move(raw->positions), std::move(raw->offsets), std::move(raw->corners));
+    auto mesh = PolygonMesh::create(std::move(raw->positions), std::move(raw->offsets), std::move(raw->corners));
+    if (!mesh) return mesh.error();
+    return ReadMesh{*std::move(mesh), std::move(raw->notes)};
+}
+
+Result<PolygonMesh> read_mesh(std::span<const std::byte> bytes, MeshFormat format, Monitor monitor) {
+    auto read = read_mesh_with_notes(bytes, format, monitor);
+    if (!read) return read.error();
+    return std::move(read->mesh);
 }
 
 Result<PolygonMesh> read_obj(std::span<const std::byte> bytes, Monitor monitor) {

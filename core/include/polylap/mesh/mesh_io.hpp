@@ -43,6 +43,13 @@ Result<RawMesh> read_raw(std::span<const std::byte> bytes, MeshFormat format, Mo
 /// which is no matter of repair. out_of_memory, cancelled
 Result<PolygonMesh> read_mesh(std::span<const std::byte> bytes, MeshFormat format, Monitor monitor = {});
 
+/// The same, with what RawMesh::notes says.
+struct ReadMesh {
+    PolygonMesh mesh;
+    std::vector<std::string> notes;
+};
+Result<ReadMesh> read_mesh_with_notes(std::span<const std::byte> bytes, MeshFormat format, Monitor monitor = {});
+
 /// Writes a mesh: OBJ, ASCII OFF and ASCII PLY with 17 significant digits; binary STL.
 /// @error bad_argument (STL: face with more than three corners, element = face; coordinate beyond single precision,
 /// element = vertex), out_of_memory

@@ -47,8 +47,9 @@ std::optional<double> parse_number(std::string_view text) {
     return value;
 }
 
-Result<FixedValues> parse_fixed_values(std::string_view text, Index vertex_count) {
-    FixedValues fixed;
+Result<VertexValues> parse_vertex_values(std::string_view text, Index vertex_count, std::string_view what) {
+    const std::string name(what), row_form = "'vertex," + name + "'";
+    VertexValues fixed;
     std::vector<std::int64_t> line_of(static_cast<std::size_t>(vertex_count), 0);
     std::int64_t line = 0;
     bool header_possible = true;
@@ -62,32 +63,34 @@ Result<FixedValues> parse_fixed_values(std::string_view text, Index vertex_count
         ++line;
         if (row.empty()) continue;
 
-        const auto fail = [line](const std::string& what, std::int64_t vertex = -1) {
-            return Error{ErrorCode::parse_error, "line " + std::to_string(line) + ": " + what, vertex, line};
+        const auto fail = [line](const std::string& why, std::int64_t vertex = -1) {
+            return Error{ErrorCode::parse_error, "line " + std::to_string(line) + ": " + why, vertex, line};
         };
         const auto comma = row.find(',');
         const std::string_view first = bare(row.substr(0, comma));
         const std::string_view second = comma == std::string_view::npos ? "" : bare(row.substr(comma + 1));
-        if (std::exchange(header_possible, false) && is_word(first, "vertex") && is_word(second, "value")) continue;
+        if (std::exchange(header_possible, false) && is_word(first, "vertex") && is_word(second, what)) continue;
 
         std::int64_t vertex = 0;
         if (comma == std::string_view::npos || !parse_whole(first, vertex))
-            return fail("expected a row 'vertex,value' with a whole number first");
+            return fail("expected a row " + row_form + " with a whole number first");
         if (vertex < 0 || vertex >= vertex_count)
             return fail("there is no vertex " + std::to_string(vertex) + "; the mesh has " +
                             std::to_string(vertex_count) + " vertices, counted from 0",
                         vertex);
         const auto value = parse_number(second);
-        if (!value) return fail("the value of vertex " + std::to_string(vertex) + " is no finite number", vertex);
+        if (!value)
+            return fail("the " + name + " of vertex " + std::to_string(vertex) + " is no finite number", vertex);
         std::int64_t& before = line_of[static_cast<std::size_t>(vertex)];
         if (before != 0)
-            return fail("vertex " + std::to_string(vertex) + " has a value already, in line " + std::to_string(before),
-                        vertex);
+            return fail(
+                "vertex " + std::to_string(vertex) + " has a " + name + " already, in line " + std::to_string(before),
+                vertex);
         before = line;
         fixed.vertices.push_back(static_cast<Index>(vertex));
         fixed.values.push_back(*value);
     }
-    if (fixed.vertices.empty()) return Error{ErrorCode::parse_error, "no rows 'vertex,value'", -1, -1};
+    if (fixed.vertices.empty()) return Error{ErrorCode::parse_error, "no rows " + row_form, -1, -1};
     return fixed;
 }
 
