@@ -58,8 +58,14 @@ export async function build(preset, targets = []) {
   await run('cmake', ['--build', '--preset', preset, '--parallel', String(availableParallelism()), ...only]);
 }
 
+/** The meshes that the page offers as files, in build/public. Needs the wasm preset. */
+export const buildGallery = () => run(process.execPath, [join(root, 'web/bunny.mjs')]);
+
 /** The static site in dist/. Needs the wasm preset. */
-export const buildSite = () => runTool('vite', ['build', 'web']);
+export async function buildSite() {
+  await buildGallery();
+  await runTool('vite', ['build', 'web']);
+}
 
 /** What `npm pack` packs: the TypeScript of wasm/src as modules with types, in build/npm. Needs the wasm preset. */
 export const buildPackage = () => runTool('tsc', ['-p', 'wasm/tsconfig.json']);

@@ -1,7 +1,7 @@
 // `npm start`: installs what is missing, builds what changed, serves the built page; `npm run dev` serves the sources and reloads.
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
-import { build, buildSite, ensureModules, ensurePackages, root, runMain } from '../.ci/build.mjs';
+import { build, buildGallery, buildSite, ensureModules, ensurePackages, root, runMain } from '../.ci/build.mjs';
 
 await runMain(async () => {
   const { values } = parseArgs({
@@ -13,7 +13,7 @@ await runMain(async () => {
   await ensurePackages('wasm');
   await ensureModules();
   await build('wasm');
-  if (!values.dev) await buildSite();
+  await (values.dev ? buildGallery() : buildSite());
 
   const vite = await import('vite');
   const options = { port, host: values.host ?? 'localhost' };

@@ -4,6 +4,8 @@ import { defineConfig } from 'vite';
 export default defineConfig({
   root: fileURLToPath(new URL('.', import.meta.url)),
   base: './',
+  // What web/bunny.mjs makes.
+  publicDir: fileURLToPath(new URL('../build/public', import.meta.url)),
   worker: { format: 'es' },
   // The module and its wasm live beside web/.
   server: { fs: { allow: ['..'] } },
