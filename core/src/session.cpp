@@ -82,10 +82,7 @@ struct Session::Impl {
           origin(0.5 * (loaded.positions().colwise().minCoeff() + loaded.positions().colwise().maxCoeff()).transpose()),
           sides{SideState{default_spec(0), loaded}, SideState{default_spec(1), loaded}} {}
 
-    static OperatorSpec default_spec(std::size_t side) {
-        const auto table = operators();
-        return *make_spec(table[std::min(side, table.size() - 1)]->id, {});
-    }
+    static OperatorSpec default_spec(std::size_t side) { return *make_spec(opening_pair()[side]->id, {}); }
 
     SideState& side(Side s) { return sides[static_cast<std::size_t>(s)]; }
     SmootherSlot& smoother(Side s) { return smoothers[static_cast<std::size_t>(s)]; }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "polylap/apply/diagnostics.hpp"
 #include "polylap/operators/alexa_wardetzky.hpp"
 #include "polylap/operators/mass.hpp"
 #include "polylap/operators/planar.hpp"
@@ -172,6 +173,58 @@ TEST(HandDerived, AlexaWardetzkyOnRegularPolygons) {
             expect_equal(aw(make_face(regular_polygon(n)), lambda), expected, 1e-13);
         }
     }
+}
+
+// Four unit quads, 1 at the middles of the sides and 0 at the corners. Each square joins the centre to two middles by
+// its edges (each of two squares: weight 2λ) and to one corner by its diagonal (½ - λ), so that the centre gets
+// 4·2λ / (4·2λ + 4(½ - λ)) = 4λ/(1 + 2λ). The planar operator has no diagonals: 1; so has the umbrella.
+TEST(HandDerived, TheCentreOfFourSquares) {
+    const auto& mesh = specimen("grid-2x2");
+    const auto centre = [](const Matrix& s) {
+        double sum = 0;
+        for (const int v : {1, 3, 5, 7}) {
+            sum -= s(4, v);
+        }
+        return sum / s(4, 4);
+    };
+    ASSERT_EQ((mesh.position(4) - Vector3(0.5, 0.5, 0)).norm(), 0) << "vertex 4 is the centre";
+    for (const double l : {0.25, 0.5, 1.0, 2.0}) {
+        EXPECT_NEAR(centre(aw(mesh, l)), 4 * l / (1 + 2 * l), 1e-14);
+    }
+    EXPECT_NEAR(centre(planar(mesh, TriangulationRule::delaunay)), 1, 1e-14);
+    EXPECT_NEAR(centre(Matrix(get(build_operator(mesh, {"cotan", {}})).stiffness)), 1, 1e-14);
+    EXPECT_NEAR(centre(Matrix(get(build_operator(mesh, {"umbrella", {}})).stiffness)), 1, 1e-14);
+}
+
+// λ = 1 makes both diagonals of every quad negative, ½ - λ on squares: 4F ordered pairs, plus some edges.
+TEST(HandDerived, NegativeWeightsOfAClosedQuadMesh) {
+    for (const char* name : {"quad-torus-32x16", "quad-torus-32x16-noisy"}) {
+        const auto& mesh = specimen(name);
+        const SparseMatrix s = get(alexa_wardetzky_stiffness(mesh, {1}));
+        Index diagonals = 0;
+        for (Index f = 0; f < mesh.face_count(); ++f) {
+            diagonals += s.coeff(mesh.face(f)[0], mesh.face(f)[2]) > 0 ? 2 : 0;
+            diagonals += s.coeff(mesh.face(f)[1], mesh.face(f)[3]) > 0 ? 2 : 0;
+        }
+        EXPECT_NEAR(diagonals, 4 * mesh.face_count(), 0.02 * mesh.face_count()) << name;
+        const Index all = summarise_weights(s).negative_ordered;
+        EXPECT_GE(all, diagonals) << name;
+        EXPECT_LE(all, 5 * mesh.face_count()) << name;
+    }
+}
+
+// 0 (0,0,0), 1 (1,0,0), 2 (1,1,1), 3 (0,1,0), fan from 0: the triangle 012 in space has its right angle at 1 and legs 1
+// and √2, so that w₀₁ = ½ cot γ₂ = √½, w₁₂ = ½ cot γ₀ = ½ √½ and w₀₂ = 0; the triangle 023 is its mirror image.
+TEST(HandDerived, CotanOfALiftedSquare) {
+    const auto mesh = make_face({{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 0}});
+    const double w = std::sqrt(0.5);
+    Matrix expected(4, 4);
+    expected << 2 * w, -w, 0, -w,  //
+        -w, 1.5 * w, -0.5 * w, 0,  //
+        0, -0.5 * w, w, -0.5 * w,  //
+        -w, 0, -0.5 * w, 1.5 * w;
+    const auto spec = get(make_spec("cotan", std::vector<std::pair<std::string, std::string>>{{"rule", "fan"}}));
+    expect_equal(Matrix(get(build_operator(mesh, spec)).stiffness), expected);
 }
 
 // Each corner gets |a|/n: a unit square next to a triangle of area ½.

@@ -103,8 +103,12 @@ std::vector<double> answers(Session& session, Side side) {
     const auto w = get(session.weights(side));
     all.push_back(w.summary.negative_ordered);
     all.insert(all.end(), w.segments.begin(), w.segments.end());
-    const auto h = get(session.harmonic(side, std::vector<Index>{0, 50}, std::vector<double>{-1, 2}));
-    all.insert(all.end(), h.values.data(), h.values.data() + h.values.size());
+    const auto h = session.harmonic(side, std::vector<Index>{0, 50}, std::vector<double>{-1, 2});
+    if (h) {
+        all.insert(all.end(), h->values.data(), h->values.data() + h->values.size());
+    } else {
+        all.push_back(static_cast<double>(h.error().code));  // not every operator has a unique one
+    }
     return all;
 }
 
@@ -115,16 +119,15 @@ TEST(Session, CachesChangeNothing) {
     const auto specs = all_specs();
     for (int round = 0; round < 2; ++round) {
         for (const OperatorSpec& spec : specs) {
-            if (spec.values == std::vector<double>{0} && spec.id == specs.front().id)
-                continue;  // λ = 0: no unique harmonic function
             for (const Side side : sides) {
                 check(session.set_operator(side, spec));
                 Session fresh = open_mesh(noisy_torus());
                 check(fresh.set_operator(side, spec));
                 EXPECT_EQ(answers(session, side), answers(fresh, side)) << spec_name(spec);
                 EXPECT_EQ(answers(session, side), answers(fresh, side)) << spec_name(spec) << ", again";
-                check(session.smooth(side, {.time = 0.01, .steps = 2}));
-                check(fresh.smooth(side, {.time = 0.01, .steps = 2}));
+                // Not every mass is positive; then both refuse.
+                EXPECT_EQ(session.smooth(side, {.time = 0.01, .steps = 2}).ok(),
+                          fresh.smooth(side, {.time = 0.01, .steps = 2}).ok());
                 EXPECT_EQ(session.surface(side).positions(), fresh.surface(side).positions()) << spec_name(spec);
                 EXPECT_EQ(answers(session, side), answers(fresh, side)) << spec_name(spec) << ", smoothed";
                 session.reset(side);

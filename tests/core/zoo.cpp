@@ -5,6 +5,8 @@
 #include <fstream>
 #include <iterator>
 #include <numbers>
+#include <numeric>
+#include <random>
 
 #include "polylap/apply/noise.hpp"
 #include "polylap/face/vector_area.hpp"
@@ -276,29 +278,46 @@ double bounding_size(const PolygonMesh& mesh) {
 std::vector<OperatorSpec> all_specs() {
     std::vector<OperatorSpec> specs;
     for (const OperatorInfo* info : operators()) {
-        std::vector<OperatorSpec> partial{{info->id, {}}};
-        for (const Parameter& p : info->parameters) {
-            std::vector<double> values{p.initial};
+        const OperatorSpec initial = get(complete_spec({info->id, {}}));
+        specs.push_back(initial);
+        for (std::size_t k = 0; k < info->parameters.size(); ++k) {
+            const Parameter& p = info->parameters[k];
+            std::vector<double> values{p.min, 0.5 * p.initial, p.slider_max};
             if (p.kind == Parameter::Kind::choice) {
-                values.clear();
-                for (std::size_t k = 0; k < p.choices.size(); ++k) {
-                    values.push_back(static_cast<double>(k));
-                }
-            } else {
-                for (const double v : {p.min, 0.5 * p.initial, p.slider_max}) {
-                    if (v != p.initial) values.push_back(v);
-                }
+                values.resize(p.choices.size());
+                std::iota(values.begin(), values.end(), 0.0);
             }
-            std::vector<OperatorSpec> longer;
-            for (const OperatorSpec& spec : partial) {
-                for (const double v : values) {
-                    longer.push_back(spec);
-                    longer.back().values.push_back(v);
-                }
+            for (const double v : values) {
+                if (v == p.initial) continue;
+                specs.push_back(initial);
+                specs.back().values[k] = v;
             }
-            partial = std::move(longer);
         }
-        specs.insert(specs.end(), partial.begin(), partial.end());
+    }
+    return specs;
+}
+
+std::vector<double> random_weights(const PolygonMesh& mesh, std::uint32_t seed) {
+    double squared = 0;
+    const auto edges = build_topology(*mesh.connectivity()).edges;
+    for (const Edge& e : edges) {
+        squared += (mesh.position(e.v1) - mesh.position(e.v0)).squaredNorm() / static_cast<double>(edges.size());
+    }
+    std::mt19937 random(seed);
+    std::vector<double> weights(static_cast<std::size_t>(mesh.vertex_count()));
+    for (double& w : weights) {
+        w = squared * (2 * (static_cast<double>(random()) / 4294967296.0) - 1);
+    }
+    return weights;
+}
+
+std::vector<OperatorSpec> all_specs(const PolygonMesh& mesh) {
+    std::vector<OperatorSpec> specs;
+    for (const OperatorSpec& spec : all_specs()) {
+        specs.push_back(spec);
+        if (!get(find_operator(spec.id))->takes_vertex_weights) continue;
+        specs.push_back(spec);
+        specs.back().vertex_weights = random_weights(mesh, 7);
     }
     return specs;
 }
@@ -308,7 +327,7 @@ std::string spec_name(const OperatorSpec& spec) {
     for (const double v : spec.values) {
         name += " " + std::to_string(v);
     }
-    return name;
+    return name + (spec.vertex_weights.empty() ? "" : ", weighted");
 }
 
 }  // namespace polylap::test

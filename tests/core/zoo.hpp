@@ -72,8 +72,14 @@ inline bool planar_faces(const PolygonMesh& mesh) {
 std::vector<Index> flat_inner_vertices(const PolygonMesh& mesh);
 double bounding_size(const PolygonMesh& mesh);
 
-/// Each operator of the table with each of its choices, and several values of its real parameters.
+/// Each operator of the table with its initial values, and with one parameter at a time at each of its choices or at
+/// several values.
 std::vector<OperatorSpec> all_specs();
+/// The same, and each operator that takes weights of vertices also with seeded random ones of the size of squared edge
+/// lengths.
+std::vector<OperatorSpec> all_specs(const PolygonMesh& mesh);
+/// V numbers, uniform within ± the mean squared edge length.
+std::vector<double> random_weights(const PolygonMesh& mesh, std::uint32_t seed);
 std::string spec_name(const OperatorSpec& spec);
 
 }  // namespace polylap::test

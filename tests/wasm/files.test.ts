@@ -54,7 +54,7 @@ describe('files', () => {
       'ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 zero\n3 0 0 0\n',
       10,
     ],
-    ['broken.stl', 'solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0\nendloop\nendfacet\nendsolid a\n', 4],
+    ['broken.stl', 'solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 x\nendloop\nendfacet\nendsolid a\n', 4],
   ])('%s is refused with its line', (name, text, line) => {
     expect(failure(() => polylap.open(text, name))).toMatchObject({ code: 'parse-error', line });
   });

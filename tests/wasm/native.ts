@@ -32,9 +32,17 @@ export function inFolder<T>(work: (folder: string) => T): T {
   }
 }
 
-export function operatorArguments({ id, ...parameters }: OperatorSpec): string[] {
+/** @param folder where a file of vertex weights can be put */
+export function operatorArguments(spec: OperatorSpec, folder: string): string[] {
+  const { id, vertexWeights, ...parameters } = spec as OperatorSpec & { vertexWeights?: ArrayLike<number> };
   const settings = Object.entries(parameters).flatMap(([name, value]) => ['--set', `${name}=${value}`]);
-  return ['--operator', id, ...settings];
+  if (!vertexWeights) return ['--operator', id, ...settings];
+  const file = join(folder, 'weights.csv');
+  writeFixed(
+    file,
+    Array.from(vertexWeights, (weight, vertex) => [vertex, weight]),
+  );
+  return ['--operator', id, ...settings, '--weights', file];
 }
 
 /** The entries of a MatrixMarket file, "row,column" → value, symmetric ones on both sides. */

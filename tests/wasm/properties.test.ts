@@ -49,10 +49,10 @@ describe('check', () => {
     expect(smallestMassVertex).toBeLessThan(sphere.info().vertices);
   });
 
-  // On a mesh of planar triangles every claim but `no` must hold.
-  it.each(operators)('of $id finds on triangles what it claims', ({ id, claims }) => {
-    const sphere = polylap.make({ shape: 'ico-sphere' });
-    for (const { property, verdict, text } of sphere.check(specOf(id)).measurements)
+  // On a mesh of triangles in a plane every claim but `no` must hold, and each property can be measured.
+  it.each(operators)('of $id finds on flat triangles what it claims', ({ id, claims }) => {
+    const flat = polylap.make({ shape: 'skew-grid' }).convert({ conversion: 'triangles' });
+    for (const { property, verdict, text } of flat.check(specOf(id)).measurements)
       if (claims[property].where !== 'no') expect([property, verdict, text]).toEqual([property, 'holds', text]);
   });
 
@@ -61,7 +61,6 @@ describe('check', () => {
     const fractions: number[] = [];
     expect(grid.check(aw(), { onProgress: (fraction) => fractions.push(fraction) > 0 }).kernelDimension).toBe(1);
     expect(fractions.length).toBeGreaterThan(1);
-    grid.reset();
     const stopped = polylap.make({ shape: 'grid', nx: 20, ny: 20 });
     expect(failure(() => stopped.check(aw(), { onProgress: () => false })).code).toBe('cancelled');
   });

@@ -3,20 +3,19 @@
 #include <array>
 
 #include "polylap/apply/noise.hpp"
-#include "polylap/face/vector_area.hpp"
+#include "polylap/face/triangulate_mesh.hpp"
 #include "polylap/mesh/convert.hpp"
 
 namespace polylap {
 namespace {
 
 constexpr const char* subdivision_rules[] = {"linear", "catmull-clark"};
-constexpr const char* triangulation_rules[] = {"delaunay", "min-max-angle", "shortest-diagonal", "fan"};
 
 constexpr std::array quads_parameters{
     choice_parameter("rule", "rule", subdivision_rules, "keep the surface, or smooth it"),
 };
 constexpr std::array triangles_parameters{
-    choice_parameter("rule", "rule", triangulation_rules, "which diagonals cut a face"),
+    choice_parameter("rule", "rule", triangulation_rule_names, "which diagonals cut a face"),
 };
 constexpr std::array noise_parameters{
     Parameter{.id = "amplitude",
@@ -65,35 +64,7 @@ constexpr ConversionInfo noise{"noise", "Noise", "Each vertex moves at random al
 }  // namespace
 
 Result<PolygonMesh> triangulate_faces(const PolygonMesh& mesh, TriangulationRule rule) {
-    return guard_memory([&]() -> Result<PolygonMesh> {
-        std::vector<Index> corners;
-        std::vector<Vector3> points;
-        std::vector<Triangle> cut;
-        Projection projection;
-        for (Index f = 0; f < mesh.face_count(); ++f) {
-            gather_corners(mesh, f, points);
-            if (!project_maximally(points, projection)) {
-                return Error{ErrorCode::degenerate_face, "face " + std::to_string(f) + " has no area", f};
-            }
-            if (const auto status = triangulate_polygon(projection.points, rule, cut); !status) {
-                Error error = status.error();
-                if (error.code != ErrorCode::degenerate_face) return error;
-                error.message = "face " + std::to_string(f) + " cannot be cut into triangles: " + error.message;
-                error.element = f;
-                return error;
-            }
-            for (const Triangle& t : cut) {
-                for (const Index k : t) {
-                    corners.push_back(mesh.face(f)[static_cast<std::size_t>(k)]);
-                }
-            }
-        }
-        std::vector<Index> offsets(corners.size() / 3 + 1);
-        for (std::size_t t = 0; t < offsets.size(); ++t) {
-            offsets[t] = static_cast<Index>(3 * t);
-        }
-        return PolygonMesh::create(mesh.positions(), std::move(offsets), std::move(corners));
-    });
+    return triangulate_mesh(mesh, rule);
 }
 
 // THE conversion table, in the order of the menus.

@@ -62,7 +62,7 @@ Result<RawMesh> read_binary(std::string_view bytes, FaceRule rule, Ticker ticker
         return std::move(*error);
     Facets facets(rule);
     for (std::int64_t f = 0; f < count; ++f, at += facet_bytes) {
-        std::array<std::array<double, 3>, 3> corners;
+        std::array<std::array<double, 3>, 3> corners{};
         for (std::size_t i = 0; i < 9; ++i) {
             const std::size_t from = at + normal_bytes + sizeof(float) * i;
             corners[i / 3][i % 3] = load<float>(bytes, from, ByteOrder::little);
@@ -122,7 +122,7 @@ private:
             words_.next_word();
         if (auto error = expect("outer")) return error;
         if (auto error = expect("loop")) return error;
-        std::array<std::array<double, 3>, 3> corners;
+        std::array<std::array<double, 3>, 3> corners{};
         for (auto& corner : corners) {
             if (auto error = expect("vertex")) return error;
             for (double& coordinate : corner) {

@@ -28,7 +28,7 @@ class Welder {
 public:
     /// The number under which this position came first; `number` if it is new.
     Index weld(const std::array<double, 3>& position, Index number) {
-        std::array<std::uint64_t, 3> key;
+        std::array<std::uint64_t, 3> key{};
         for (std::size_t k = 0; k < 3; ++k)
             key[k] = Eigen::numext::bit_cast<std::uint64_t>(position[k] + 0.0);  // -0 + 0 = 0
         return numbers_.try_emplace(key, number).first->second;

@@ -15,7 +15,8 @@ namespace polylap {
 using LocalMatrix = Eigen::Map<Matrix>;
 
 /// Sums the local matrices of all faces: the one gather/scatter loop behind every operator that is a sum over faces.
-/// @param local Status(Corners, LocalMatrix&): fills the symmetric matrix of one face; its error need not name the face
+/// @param local Status(std::span<const Index> vertices, Corners, LocalMatrix&): fills the matrix of one face; its error
+///              need not name the face
 /// @error what `local` says, with the face; degenerate_face where a local matrix is not finite; cancelled,
 /// out_of_memory
 template <class Local>
@@ -38,7 +39,7 @@ Result<SparseMatrix> assemble_faces(const PolygonMesh& mesh, Monitor monitor, Lo
             gather_corners(mesh, f, corners);
             buffer.assign(square(face.size()), 0.0);
             LocalMatrix matrix(buffer.data(), n, n);
-            if (Status status = local(Corners(corners), matrix); !status) {
+            if (Status status = local(face, Corners(corners), matrix); !status) {
                 return fail(f, status.error().code, status.error().message);
             }
             if (!matrix.allFinite()) {

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "operators/assemble_faces.hpp"
+#include "polylap/face/triangulate_mesh.hpp"
 #include "polylap/operators/mass.hpp"
 
 namespace polylap {
@@ -28,7 +29,7 @@ class LocalStiffness {
 public:
     explicit LocalStiffness(TriangulationRule rule) : rule_(rule) {}
 
-    Status operator()(Corners corners, LocalMatrix& s) {
+    Status operator()(std::span<const Index>, Corners corners, LocalMatrix& s) {
         if (!project_maximally(corners, projection_)) {
             return Error{ErrorCode::degenerate_face, "its vector area is zero"};
         }
@@ -45,10 +46,8 @@ private:
     std::vector<Triangle> triangles_;
 };
 
-/// In the order of TriangulationRule.
-constexpr std::array rules{"delaunay", "min-max-angle", "shortest-diagonal", "fan"};
-
-constexpr std::array parameters{choice_parameter("rule", "rule", rules, "how the projected face is triangulated")};
+constexpr std::array parameters{
+    choice_parameter("rule", "rule", triangulation_rule_names, "how the projected face is triangulated")};
 
 }  // namespace
 

@@ -1,18 +1,28 @@
 #include <array>
-#include <cmath>
 
+#include "operators/vertex_weights.hpp"
 #include "polylap/operators/alexa_wardetzky.hpp"
+#include "polylap/operators/alexa_wardetzky_weighted.hpp"
+#include "polylap/operators/cotan.hpp"
+#include "polylap/operators/normalized_graph.hpp"
 #include "polylap/operators/planar.hpp"
+#include "polylap/operators/tutte.hpp"
+#include "polylap/operators/umbrella.hpp"
+#include "polylap/operators/weighted_cotan.hpp"
 
 namespace polylap {
 
 // THE operator table: one line per operator, in the order of the menus.
 std::span<const OperatorInfo* const> operators() noexcept {
     static constexpr std::array table{
-        &alexa_wardetzky_info,
-        &planar_info,
+        &umbrella_info,       &tutte_info,           &normalized_graph_info,         &cotan_info,
+        &weighted_cotan_info, &alexa_wardetzky_info, &alexa_wardetzky_weighted_info, &planar_info,
     };
     return table;
+}
+
+std::array<const OperatorInfo*, 2> opening_pair() noexcept {
+    return {&alexa_wardetzky_info, &planar_info};
 }
 
 std::span<const PropertyInfo> properties() noexcept {
@@ -102,11 +112,7 @@ Result<OperatorSpec> complete_spec(OperatorSpec spec) {
         if (!spec.vertex_weights.empty() && !(*info)->takes_vertex_weights) {
             return Error{ErrorCode::bad_argument, owner_of(**info) + " takes no vertex weights"};
         }
-        for (std::size_t v = 0; v < spec.vertex_weights.size(); ++v) {
-            if (std::isfinite(spec.vertex_weights[v])) continue;
-            return Error{ErrorCode::bad_argument, "the weight of vertex " + std::to_string(v) + " is not finite",
-                         static_cast<std::int64_t>(v)};
-        }
+        if (Status status = check_weights_finite(spec.vertex_weights); !status) return status.error();
         return spec;
     });
 }
@@ -115,12 +121,7 @@ Result<OperatorMatrices> build_operator(const PolygonMesh& mesh, const OperatorS
     return guard_memory([&]() -> Result<OperatorMatrices> {
         const auto complete = complete_spec(spec);
         if (!complete) return complete.error();
-        const std::size_t weights = complete->vertex_weights.size();
-        if (weights > 0 && weights != static_cast<std::size_t>(mesh.vertex_count())) {
-            return Error{ErrorCode::bad_argument, "there are " + std::to_string(mesh.vertex_count()) +
-                                                      " vertices, but " + std::to_string(weights) +
-                                                      " vertex weights were given"};
-        }
+        if (Status status = check_vertex_weights(mesh, complete->vertex_weights); !status) return status.error();
         const OperatorInfo& info = **find_operator(complete->id);
         auto matrices = info.build(mesh, *complete, monitor);
         if (matrices) matrices->structure = structure_of(info.claims);

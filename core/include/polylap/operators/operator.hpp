@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
@@ -81,6 +82,9 @@ struct OperatorInfo {
 
 /// The operator table, in the order of the menus. Explicit, because self-registration vanishes from a static library.
 std::span<const OperatorInfo* const> operators() noexcept;
+
+/// Which two of the table a comparison opens with.
+std::array<const OperatorInfo*, 2> opening_pair() noexcept;
 
 /// @error unknown_operator (the message lists the known ones)
 Result<const OperatorInfo*> find_operator(std::string_view id);

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+
+#include "operators/assemble_faces.hpp"
+
+namespace polylap {
+
+/// The matrix of one face after Alexa & Wardetzky 2011, with free points on its edges [Herholz 2012, eq. 4.29 and
+/// 4.31]: S_f = δᵀ( B (Bʷ)ᵀ/|a| + λ(I - QQᵀ) )δ. B are the midpoints of the edges, Bʷ the points xᵢ + tᵢ eᵢ, Q an
+/// orthonormal basis of the columns of the projected edges Ē.
+///
+/// With D = δᵀB (rows ½(xᵢ₋₁ - xᵢ₊₁)), Dʷ = δᵀBʷ and R = δᵀQ that is D Dʷᵀ/|a| + λ(δᵀδ - R Rᵀ).
+class EdgeGradient {
+public:
+    explicit EdgeGradient(double lambda) : lambda_(lambda) {}
+
+    /// @param t n: where the point lies on each edge, 0 at its first corner, 1 at its second; empty: ½, and symmetric
+    /// @error degenerate_face
+    Status operator()(Corners x, std::span<const double> t, LocalMatrix& s);
+
+private:
+    double lambda_;
+    Projection projection_;
+    Eigen::Matrix<double, Eigen::Dynamic, 2> basis_;
+    Eigen::Matrix<double, Eigen::Dynamic, 8> rows_;  ///< D | Dʷ, both over √|a|, | √λ R
+};
+
+}  // namespace polylap

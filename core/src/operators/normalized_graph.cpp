@@ -1,0 +1,43 @@
+#include "polylap/operators/normalized_graph.hpp"
+
+#include <cmath>
+
+#include "operators/edge_graph.hpp"
+#include "polylap/operators/mass.hpp"
+
+namespace polylap {
+
+Result<SparseMatrix> normalized_graph_stiffness(const PolygonMesh& mesh, Monitor monitor) {
+    return guard_memory([&]() -> Result<SparseMatrix> {
+        auto graph = graph_laplacian(mesh, monitor);
+        if (!graph) return graph;
+        const Vector degree = graph->diagonal();
+        for (Index j = 0; j < graph->cols(); ++j) {
+            for (SparseMatrix::InnerIterator it(*graph, j); it; ++it) {
+                it.valueRef() /= std::sqrt(degree[it.row()] * degree[j]);
+            }
+        }
+        return graph;
+    });
+}
+
+constinit const OperatorInfo normalized_graph_info{
+    .id = "normalized-graph",
+    .label = "Normalised graph",
+    .formula_latex = R"(w_{ij} = 1 / \sqrt{d_i d_j})",
+    .citation = "F. Chung: Spectral graph theory. AMS 1997; Herholz 2012, section 3.2",
+    .summary = "The graph Laplacian, scaled symmetrically by the numbers of neighbours.",
+    .parameters = {},
+    .claims = {.symmetric = {Claim::yes, "both ends of an edge enter alike"},
+               .local = {Claim::yes, "only edges have weights"},
+               .positive_weights = {Claim::yes, "every weight is one over a root"},
+               .positive_semidefinite = {Claim::yes, "the graph Laplacian, scaled from both sides"},
+               .constants_in_kernel = {Claim::no, "its kernel are the roots of the numbers of neighbours"},
+               .linear_precision = {Claim::no, "a vertex need not lie at the mean of its neighbours"},
+               .maximum_principle = {Claim::no, "vertices of many neighbours rise above the rest"},
+               .convergent = {Claim::no, "it knows nothing of lengths and angles"}},
+    .build = [](const PolygonMesh& mesh, const OperatorSpec&,
+                Monitor monitor) { return with_lumped_mass(mesh, normalized_graph_stiffness(mesh, monitor)); },
+};
+
+}  // namespace polylap

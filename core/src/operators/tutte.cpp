@@ -1,0 +1,43 @@
+#include "polylap/operators/tutte.hpp"
+
+#include "operators/edge_graph.hpp"
+#include "polylap/operators/mass.hpp"
+
+namespace polylap {
+
+Result<SparseMatrix> tutte_stiffness(const PolygonMesh& mesh, Monitor monitor) {
+    return guard_memory([&]() -> Result<SparseMatrix> {
+        auto graph = graph_laplacian(mesh, monitor);
+        if (!graph) return graph;
+        const Vector degree = graph->diagonal();
+        for (Index j = 0; j < graph->cols(); ++j) {
+            for (SparseMatrix::InnerIterator it(*graph, j); it; ++it) {
+                it.valueRef() /= degree[it.row()];
+            }
+        }
+        return graph;
+    });
+}
+
+constinit const OperatorInfo tutte_info{
+    .id = "tutte",
+    .label = "Tutte",
+    .formula_latex = R"(w_{ij} = 1 / d_i)",
+    .citation = "W. T. Tutte: How to draw a graph. Proc. London Math. Soc. 13, 1963; Herholz 2012, section 3.2",
+    .summary = "The difference of each value from the mean of its neighbours along edges.",
+    .parameters = {},
+    .claims = {.symmetric = {Claim::no, "each end of an edge divides by its own number of neighbours"},
+               .local = {Claim::yes, "only edges have weights"},
+               .positive_weights = {Claim::yes, "every weight is one over a number of neighbours"},
+               .positive_semidefinite = {Claim::no,
+                                         "its spectrum lies in [0, 2], but uᵀSu can be negative where the "
+                                         "numbers of neighbours differ"},
+               .constants_in_kernel = {Claim::yes, "a constant equals the mean of its neighbours"},
+               .linear_precision = {Claim::no, "a vertex need not lie at the mean of its neighbours"},
+               .maximum_principle = {Claim::yes, "a harmonic value is the mean of its neighbours"},
+               .convergent = {Claim::no, "it knows nothing of lengths and angles"}},
+    .build = [](const PolygonMesh& mesh, const OperatorSpec&,
+                Monitor monitor) { return with_lumped_mass(mesh, tutte_stiffness(mesh, monitor)); },
+};
+
+}  // namespace polylap

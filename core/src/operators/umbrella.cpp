@@ -1,0 +1,32 @@
+#include "polylap/operators/umbrella.hpp"
+
+#include "operators/edge_graph.hpp"
+#include "polylap/operators/mass.hpp"
+
+namespace polylap {
+
+Result<SparseMatrix> umbrella_stiffness(const PolygonMesh& mesh, Monitor monitor) {
+    return graph_laplacian(mesh, monitor);
+}
+
+constinit const OperatorInfo umbrella_info{
+    .id = "umbrella",
+    .label = "Umbrella",
+    .formula_latex = R"(w_{ij} = 1)",
+    .citation =
+        "G. Taubin: A signal processing approach to fair surface design. SIGGRAPH 1995; Herholz 2012, section 3.2",
+    .summary = "The graph Laplacian of the edges: every neighbour counts alike, wherever it lies.",
+    .parameters = {},
+    .claims = {.symmetric = {Claim::yes, "an edge has the same weight from both ends"},
+               .local = {Claim::yes, "only edges have weights"},
+               .positive_weights = {Claim::yes, "every weight is 1"},
+               .positive_semidefinite = {Claim::yes, "a sum of squared differences along edges"},
+               .constants_in_kernel = {Claim::yes, "only differences along edges enter"},
+               .linear_precision = {Claim::no, "a vertex need not lie at the mean of its neighbours"},
+               .maximum_principle = {Claim::yes, "a harmonic value is the mean of its neighbours"},
+               .convergent = {Claim::no, "it knows nothing of lengths and angles"}},
+    .build = [](const PolygonMesh& mesh, const OperatorSpec&,
+                Monitor monitor) { return with_lumped_mass(mesh, umbrella_stiffness(mesh, monitor)); },
+};
+
+}  // namespace polylap
