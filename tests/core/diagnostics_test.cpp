@@ -75,7 +75,9 @@ TEST(Weights, OfDiagonalAndEmptyMatrices) {
 TEST(Weights, AgreeWithTheMatrixOnTheZoo) {
     for (const auto& [name, mesh] : zoo()) {
         for (const OperatorInfo* info : operators()) {
-            const SparseMatrix s = get(build_operator(mesh, {info->id, {}})).stiffness;
+            const auto built = build_operator(mesh, {info->id, {}});
+            if (!built) continue;  // not for this mesh
+            const SparseMatrix& s = built->stiffness;
             const double zero = weight_tolerance * s.diagonal().maxCoeff();
             Index negative = 0;
             Index all = 0;

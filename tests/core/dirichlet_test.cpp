@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <Eigen/LU>
 
@@ -21,8 +22,8 @@ SparseMatrix stiffness(const PolygonMesh& mesh, const char* id, std::vector<doub
     return get(build_operator(mesh, {id, std::move(values)})).stiffness;
 }
 
-/// By elimination of a dense matrix: rows of fixed vertices say u = value.
-Matrix eliminate(const SparseMatrix& s, const std::vector<Index>& fixed, const Matrix& values) {
+/// By elimination of a dense matrix: rows of fixed vertices say u = value. Nothing where u is not unique.
+std::optional<Matrix> eliminate(const SparseMatrix& s, const std::vector<Index>& fixed, const Matrix& values) {
     Matrix a(s);
     Matrix b = Matrix::Zero(s.rows(), values.cols());
     for (std::size_t k = 0; k < fixed.size(); ++k) {
@@ -30,7 +31,9 @@ Matrix eliminate(const SparseMatrix& s, const std::vector<Index>& fixed, const M
         a(fixed[k], fixed[k]) = 1;
         b.row(fixed[k]) = values.row(static_cast<Eigen::Index>(k));
     }
-    return a.fullPivLu().solve(b);
+    const Eigen::FullPivLU<Matrix> lu(a);
+    if (!lu.isInvertible()) return std::nullopt;
+    return Matrix(lu.solve(b));
 }
 
 TEST(Dirichlet, EqualsDenseElimination) {
@@ -48,9 +51,10 @@ TEST(Dirichlet, EqualsDenseElimination) {
             for (Eigen::Index k = 0; k < values.rows(); ++k) {
                 values.row(k) << std::sin(2.0 * static_cast<double>(k)), static_cast<double>(k);
             }
+            const auto expected = eliminate(s, fixed, values);
+            if (!expected) continue;
             const Matrix u = get(get(DirichletProblem::create(s, fixed, built->structure)).solve(values));
-            const Matrix expected = eliminate(s, fixed, values);
-            EXPECT_LE((u - expected).cwiseAbs().maxCoeff(), 1e-9 * values.cwiseAbs().maxCoeff())
+            EXPECT_LE((u - *expected).cwiseAbs().maxCoeff(), 1e-9 * values.cwiseAbs().maxCoeff())
                 << name << ", " << info->id;
             for (std::size_t k = 0; k < fixed.size(); ++k) {
                 EXPECT_EQ(u.row(fixed[k]), values.row(static_cast<Eigen::Index>(k)));

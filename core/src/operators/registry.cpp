@@ -5,6 +5,7 @@
 #include "polylap/operators/alexa_wardetzky_weighted.hpp"
 #include "polylap/operators/cotan.hpp"
 #include "polylap/operators/normalized_graph.hpp"
+#include "polylap/operators/orthogonal_dual.hpp"
 #include "polylap/operators/planar.hpp"
 #include "polylap/operators/tutte.hpp"
 #include "polylap/operators/umbrella.hpp"
@@ -15,8 +16,9 @@ namespace polylap {
 // THE operator table: one line per operator, in the order of the menus.
 std::span<const OperatorInfo* const> operators() noexcept {
     static constexpr std::array table{
-        &umbrella_info,       &tutte_info,           &normalized_graph_info,         &cotan_info,
-        &weighted_cotan_info, &alexa_wardetzky_info, &alexa_wardetzky_weighted_info, &planar_info,
+        &umbrella_info,        &tutte_info,           &normalized_graph_info,         &cotan_info,
+        &weighted_cotan_info,  &alexa_wardetzky_info, &alexa_wardetzky_weighted_info, &planar_info,
+        &orthogonal_dual_info,
     };
     return table;
 }
