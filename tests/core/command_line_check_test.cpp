@@ -115,10 +115,10 @@ TEST_F(CommandLine, VertexWeightsComeFromAFile) {
         succeed(operation);
         const std::string weighted = slurp(path("S.mtx"));
         succeed("matrix '" + mesh + "' --operator " + info->id + " -o S.mtx");
-        EXPECT_NE(weighted, slurp(path("S.mtx"))) << info->id;
+        EXPECT_FALSE(weighted == slurp(path("S.mtx"))) << info->id;
         write(path("zero.csv"), "3,0\n");
         succeed("matrix '" + mesh + "' --operator " + info->id + " --weights zero.csv -o Z.mtx");
-        EXPECT_EQ(slurp(path("Z.mtx")), slurp(path("S.mtx"))) << info->id;
+        EXPECT_TRUE(slurp(path("Z.mtx")) == slurp(path("S.mtx"))) << info->id;
         write(path("bad.csv"), "3,heavy\n");
         EXPECT_NE(fail(1, "matrix '" + mesh + "' --operator " + info->id + " --weights bad.csv -o B.mtx")
                       .find("the weight of vertex 3 is no finite number"),
