@@ -104,8 +104,8 @@ void compare_with_dense(const PolygonMesh& mesh, const OperatorMatrices& matrice
     if (!lu.isInvertible() || lu.rcond() < 1e-9) return;
     const Matrix extension = -lu.solve(all(inner, topology.boundary_vertices));
     const Vector constant = extension.rowwise().sum();
-    const double beyond = std::max({-extension.minCoeff(), extension.maxCoeff() - 1, constant.maxCoeff() - 1,
-                                    1 - constant.minCoeff()});
+    const double beyond =
+        std::max({-extension.minCoeff(), extension.maxCoeff() - 1, constant.maxCoeff() - 1, 1 - constant.minCoeff()});
     expect(&PropertyClaims::maximum_principle, beyond <= range_tolerance, std::max(0.0, beyond), 1e-7);
 }
 

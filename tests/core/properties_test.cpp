@@ -65,8 +65,8 @@ TEST(Properties, OfTwoByTwoSquares) {
     EXPECT_LE((report.kernel_modes - Matrix::Constant(9, 1, 1.0 / 3)).cwiseAbs().maxCoeff(), 1e-12);
     EXPECT_NEAR(report.smallest_mass, 1.0 / 16, 1e-15);
     EXPECT_EQ((std::set<Index>{0, 2, 6, 8}.count(report.smallest_mass_vertex)), 1u);
-    for (const auto claim : {&PropertyClaims::symmetric, &PropertyClaims::local,
-                             &PropertyClaims::positive_semidefinite, &PropertyClaims::constants_in_kernel}) {
+    for (const auto claim : {&PropertyClaims::symmetric, &PropertyClaims::local, &PropertyClaims::positive_semidefinite,
+                             &PropertyClaims::constants_in_kernel}) {
         EXPECT_EQ(find(report, claim).verdict, Verdict::holds);
         EXPECT_TRUE(find(report, claim).vertices.empty());
     }
@@ -86,9 +86,9 @@ TEST(Properties, MaximumPrincipleOfEightByEightSquares) {
     const Matrix u = get(problem.solve(Matrix::Identity(fixed, fixed)));
     EXPECT_NEAR(u.col(0).minCoeff(), -0.1147, 5e-5);
     EXPECT_NEAR(worst.value, std::max(-u.minCoeff(), u.maxCoeff() - 1), 1e-12);
-    const auto source = std::find(topology.boundary_vertices.begin(), topology.boundary_vertices.end(),
-                                  worst.vertices[1]) -
-                        topology.boundary_vertices.begin();
+    const auto source =
+        std::find(topology.boundary_vertices.begin(), topology.boundary_vertices.end(), worst.vertices[1]) -
+        topology.boundary_vertices.begin();
     const double there = u(worst.vertices[0], source);
     EXPECT_NEAR(worst.value, std::max(-there, there - 1), 1e-12);
 
