@@ -155,7 +155,7 @@ TEST(Properties, AKernelBeyondTheLimitIsSaidToBeIncomplete) {
 
 /// Two squares side by side and a stiffness of one's own.
 struct TwoSquares {
-    PolygonMesh mesh = get(make_grid(2, 1));
+    PolygonMesh mesh = get(make_grid(2, 1, 2, 1));
     OperatorMatrices matrices = get(build_operator(mesh, stabilised(0.5)));
 
     PropertyReport with(Index i, Index j, double change) {
