@@ -61,7 +61,9 @@ TEST(Convergence, HoldsWhereClaimedAndFailsWhereNot) {
                 }
             }
         }
-        if (claim != Claim::no) EXPECT_GE(held, 2) << info->id;
+        if (claim != Claim::no) {
+            EXPECT_GE(held, 2) << info->id;
+        }
         // Weights of vertices belong to one mesh: what they break is not seen here.
         if (claim != Claim::yes && !info->takes_vertex_weights) {
             EXPECT_FALSE(counter_example.empty()) << info->id << " converges everywhere: the claim is too weak";
@@ -99,7 +101,9 @@ TEST(Convergence, IsOfSecondOrderForFiniteElements) {
 TEST(Convergence, SaysWhyAFamilyEnds) {
     int failed = 0;
     for (const ConvergenceStudy& study : get(study_convergence({"alexa-wardetzky", {0}}))) {
-        if (study.only_triangles) EXPECT_TRUE(study.converges) << study.family;
+        if (study.only_triangles) {
+            EXPECT_TRUE(study.converges) << study.family;
+        }
         if (study.failure.empty()) continue;
         ++failed;
         EXPECT_FALSE(study.converges);

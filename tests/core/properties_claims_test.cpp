@@ -43,7 +43,6 @@ void compare_with_dense(const PolygonMesh& mesh, const OperatorMatrices& matrice
     }
     const Matrix s = Matrix(matrices.stiffness)(referenced, referenced);
     const double scale = s.diagonal().cwiseAbs().maxCoeff();
-    std::map<PropertyClaim PropertyClaims::*, Measurement> found;
     const auto at = [&](PropertyClaim PropertyClaims::*claim) -> const Measurement& {
         for (const Measurement& m : report.measurements) {
             if (m.property->claim == claim) return m;
@@ -109,6 +108,19 @@ void compare_with_dense(const PolygonMesh& mesh, const OperatorMatrices& matrice
     expect(&PropertyClaims::maximum_principle, beyond <= range_tolerance, std::max(0.0, beyond), 1e-7);
 }
 
+/// The operator as it is, and with weights of vertices as large as edges where it takes them.
+std::vector<OperatorSpec> with_and_without_weights(const OperatorSpec& spec, const PolygonMesh& mesh) {
+    std::vector<OperatorSpec> specs{spec};
+    if ((*find_operator(spec.id))->takes_vertex_weights) {
+        const double h2 = measure_shape(mesh, build_topology(*mesh.connectivity())).mean_squared_edge;
+        specs.push_back(spec);
+        for (Index v = 0; v < mesh.vertex_count(); ++v) {
+            specs.back().vertex_weights.push_back(2 * h2 * std::sin(1.7 * v));
+        }
+    }
+    return specs;
+}
+
 struct Score {
     int held = 0;
     std::string counter_example;
@@ -117,12 +129,11 @@ struct Score {
 TEST(Properties, AgreeWithDenseComputationsAndTheClaims) {
     std::map<const PropertyInfo*, std::map<std::string, Score>> scores;
     int compared = 0;
-    for (const OperatorSpec& spec : all_specs()) {
-        const OperatorInfo& info = **find_operator(spec.id);
-        for (const Specimen& s : zoo()) {
-            if (s.mesh.vertex_count() > 400) continue;
+    for (const OperatorSpec& plain : all_specs()) {
+        const OperatorInfo& info = **find_operator(plain.id);
+        const auto visit = [&](const OperatorSpec& spec, const Specimen& s) {
             const auto matrices = build_operator(s.mesh, spec);
-            if (!matrices) continue;
+            if (!matrices) return;
             SCOPED_TRACE(spec_name(spec) + " on " + s.name);
             const PropertyReport report =
                 get(check_properties(s.mesh, build_topology(*s.mesh.connectivity()), *matrices));
@@ -141,6 +152,12 @@ TEST(Properties, AgreeWithDenseComputationsAndTheClaims) {
                 } else if (m.verdict == Verdict::fails) {
                     score.counter_example = s.name;
                 }
+            }
+        };
+        for (const Specimen& s : zoo()) {
+            if (s.mesh.vertex_count() > 400) continue;
+            for (const OperatorSpec& spec : with_and_without_weights(plain, s.mesh)) {
+                visit(spec, s);
             }
         }
     }
