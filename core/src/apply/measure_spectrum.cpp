@@ -78,7 +78,7 @@ Result<LowEnd> find_low_end(const SparseMatrix& a, Index first_count, Monitor mo
         if (low.kernel < count || count == most) break;
     }
     const auto found = static_cast<Index>(low.pairs.values.size());
-    low.complete = low.kernel < found || found == n;
+    low.complete = low.kernel <= kernel_limit && (low.kernel < found || found == n);
     low.kernel = std::min(low.kernel, kernel_limit);
     return low;
 }
@@ -180,7 +180,7 @@ Result<Measurement> measure_spectrum(const Subject& subject, bool symmetric, Pro
     if (modes.cols() > 0) {
         report.kernel_modes = referenced.extend(constants_first(modes, referenced, subject.topology));
     }
-    if (smallest > 0) report.condition = extreme / smallest;
+    if (report.kernel_complete && smallest > 0) report.condition = extreme / smallest;
 
     const double ratio = report.smallest_eigenvalue / std::max(std::abs(low->largest), std::abs(low->pairs.values[0]));
     std::string text = "the smallest eigenvalue is " + figure(report.smallest_eigenvalue) + ", the largest " +

@@ -28,10 +28,10 @@ Result<SparseMatrix> alexa_wardetzky_weighted_stiffness(const PolygonMesh& mesh,
     if (Status status = check(options); !status) return status.error();
     if (Status status = check_vertex_weights(mesh, weights); !status) return status.error();
     EdgeGradient face(options.lambda);
-    std::vector<double> t;
+    std::vector<double> shift;
     return assemble_faces(mesh, monitor, [&](std::span<const Index> vertices, Corners x, LocalMatrix& s) -> Status {
         if (weights.empty()) return face(x, {}, s);
-        t.assign(x.size(), 0.5);
+        shift.assign(x.size(), 0.0);
         for (std::size_t i = 0; i < x.size(); ++i) {
             const std::size_t next = i + 1 == x.size() ? 0 : i + 1;
             const double difference =
@@ -39,9 +39,9 @@ Result<SparseMatrix> alexa_wardetzky_weighted_stiffness(const PolygonMesh& mesh,
             if (difference == 0) continue;
             const double length = (x[next] - x[i]).stableNorm();
             if (length == 0) return edge_without_length(i, next);
-            t[i] += difference / length / (2 * length);
+            shift[i] = difference / length / (2 * length);
         }
-        return face(x, t, s);
+        return face(x, shift, s);
     });
 }
 
@@ -57,17 +57,17 @@ Result<Matrix> alexa_wardetzky_weighted_face(Corners corners, std::span<const do
         if (!std::all_of(corners.begin(), corners.end(), finite)) {
             return Error{ErrorCode::bad_argument, "the corners must be finite"};
         }
-        std::vector<double> t(n);
+        std::vector<double> shift(n);
         for (std::size_t i = 0; i < n; ++i) {
             if (!std::isfinite(distances[i])) return Error{ErrorCode::bad_argument, "the distances must be finite"};
             const std::size_t next = i + 1 == n ? 0 : i + 1;
             const double length = (corners[next] - corners[i]).stableNorm();
             if (length == 0) return edge_without_length(i, next);
-            t[i] = distances[i] / length;
+            shift[i] = distances[i] / length - 0.5;
         }
         Matrix matrix = Matrix::Zero(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
         LocalMatrix s(matrix.data(), matrix.rows(), matrix.cols());
-        if (Status status = EdgeGradient(options.lambda)(corners, t, s); !status) return status.error();
+        if (Status status = EdgeGradient(options.lambda)(corners, shift, s); !status) return status.error();
         return matrix;
     });
 }

@@ -14,7 +14,7 @@ void orthogonalise(Column&& x, const Unit& q) {
 
 }  // namespace
 
-Status EdgeGradient::operator()(Corners x, std::span<const double> t, LocalMatrix& s) {
+Status EdgeGradient::operator()(Corners x, std::span<const double> shift, LocalMatrix& s) {
     if (!project_maximally(x, projection_)) {
         return Error{ErrorCode::degenerate_face, "its vector area is zero"};
     }
@@ -40,11 +40,11 @@ Status EdgeGradient::operator()(Corners x, std::span<const double> t, LocalMatri
         const Vector3 chord = at(before) - at(next(i));
         rows_.row(i).head<3>() = chord / (2 * area_root);
         rows_.row(i).segment<3>(3) = rows_.row(i).head<3>();
-        if (!t.empty()) {
-            // bʷᵢ₋₁ - bʷᵢ, as differences of corners: they cancel the position of the face in space.
-            const double t0 = t[static_cast<std::size_t>(before)];
-            const double t1 = t[static_cast<std::size_t>(i)];
-            rows_.row(i).segment<3>(3) = ((1 - t0) * (at(before) - at(i)) - t1 * (at(next(i)) - at(i))) / area_root;
+        if (!shift.empty()) {
+            // Beyond ½ (xᵢ₋₁ - xᵢ₊₁), so that no shift changes no bit.
+            const double s0 = shift[static_cast<std::size_t>(before)];
+            const double s1 = shift[static_cast<std::size_t>(i)];
+            rows_.row(i).segment<3>(3) -= (s0 * (at(before) - at(i)) + s1 * (at(next(i)) - at(i))) / area_root;
         }
         rows_.row(i).tail<2>() = lambda_root * (basis_.row(before) - basis_.row(i));
     }

@@ -7,17 +7,17 @@
 namespace polylap {
 
 /// The matrix of one face after Alexa & Wardetzky 2011, with free points on its edges [Herholz 2012, eq. 4.29 and
-/// 4.31]: S_f = δᵀ( B (Bʷ)ᵀ/|a| + λ(I - QQᵀ) )δ. B are the midpoints of the edges, Bʷ the points xᵢ + tᵢ eᵢ, Q an
-/// orthonormal basis of the columns of the projected edges Ē.
+/// 4.31]: S_f = δᵀ( B (Bʷ)ᵀ/|a| + λ(I - QQᵀ) )δ. B are the midpoints of the edges, Bʷ the points xᵢ + (½ + shiftᵢ) eᵢ,
+/// Q an orthonormal basis of the columns of the projected edges Ē.
 ///
 /// With D = δᵀB (rows ½(xᵢ₋₁ - xᵢ₊₁)), Dʷ = δᵀBʷ and R = δᵀQ that is D Dʷᵀ/|a| + λ(δᵀδ - R Rᵀ).
 class EdgeGradient {
 public:
     explicit EdgeGradient(double lambda) : lambda_(lambda) {}
 
-    /// @param t n: where the point lies on each edge, 0 at its first corner, 1 at its second; empty: ½, and symmetric
+    /// @param shift n: how far the point of each edge lies past its middle, in lengths of the edge; empty: all 0
     /// @error degenerate_face
-    Status operator()(Corners x, std::span<const double> t, LocalMatrix& s);
+    Status operator()(Corners x, std::span<const double> shift, LocalMatrix& s);
 
 private:
     double lambda_;

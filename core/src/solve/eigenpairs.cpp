@@ -164,12 +164,28 @@ Status factor_below_spectrum(const SparseMatrix& s, SpdFactor& factor, Progress&
     return Done{};
 }
 
+/// All eigenpairs of a dense symmetric matrix.
+Result<Eigenpairs> solve_densely(Matrix a) {
+    Eigen::SelfAdjointEigenSolver<Matrix> solver(a);
+    if (solver.info() == Eigen::Success) return Eigenpairs{solver.eigenvalues(), solver.eigenvectors()};
+    // Eigen ends where an entry is small against its neighbours on the diagonal, which may never be where many
+    // eigenvalues are 0: moved up by the size of the matrix, the neighbours are of that size.
+    const double shift = a.cwiseAbs().rowwise().sum().maxCoeff();
+    a.diagonal().array() += shift;
+    solver.compute(a);
+    if (solver.info() == Eigen::Success) {
+        return Eigenpairs{solver.eigenvalues().array() - shift, solver.eigenvectors()};
+    }
+    return Error{ErrorCode::not_converged, "the eigenvalues of the matrix were not found"};
+}
+
 /// Eigenpairs of S within the span of the columns.
-Eigenpairs rayleigh_ritz(const SparseMatrix& s, const Matrix& span) {
+Result<Eigenpairs> rayleigh_ritz(const SparseMatrix& s, const Matrix& span) {
     const Matrix q = Eigen::HouseholderQR<Matrix>(span).householderQ() * Matrix::Identity(span.rows(), span.cols());
     const Matrix projected = q.transpose() * (s * q);
-    const Eigen::SelfAdjointEigenSolver<Matrix> solver(0.5 * (projected + projected.transpose()));
-    return {solver.eigenvalues(), q * solver.eigenvectors()};
+    auto pairs = solve_densely(0.5 * (projected + projected.transpose()));
+    if (pairs) pairs->vectors = q * pairs->vectors;
+    return pairs;
 }
 
 Eigenpairs head(const Eigenpairs& pairs, Index count) {
@@ -191,11 +207,9 @@ Result<Index> count_missing(const SparseMatrix& s, const Vector& values) {
 
 Result<Eigenpairs> dense_eigenpairs(const SparseMatrix& s, Index count, Monitor monitor) {
     if (!monitor.proceed(0)) return Error{ErrorCode::cancelled, "cancelled"};
-    const Eigen::SelfAdjointEigenSolver<Matrix> solver{Matrix(s)};
-    if (solver.info() != Eigen::Success) {
-        return Error{ErrorCode::not_converged, "the eigenvalues of the matrix were not found"};
-    }
-    return head({solver.eigenvalues(), solver.eigenvectors()}, count);
+    const auto pairs = solve_densely(Matrix(s));
+    if (!pairs) return pairs.error();
+    return head(*pairs, count);
 }
 
 /// @param s |S|∞ = 1
@@ -211,15 +225,18 @@ Result<Eigenpairs> sparse_eigenpairs(const SparseMatrix& s, Index count, Monitor
     const auto find_more = [&](Index more) {
         return lanczos(inverse, more, inverse.project(start_vector(n, ++seed)), lanczos_tolerance).vectors;
     };
-    const auto add = [&](const Matrix& vectors) {
+    const auto add = [&](const Matrix& vectors) -> Status {
         Matrix span(n, pairs.vectors.cols() + vectors.cols());
         span << pairs.vectors, vectors;
-        pairs = head(rayleigh_ritz(s, span), count);
+        const auto all = rayleigh_ritz(s, span);
+        if (!all) return all.error();
+        pairs = head(*all, count);
+        return Done{};
     };
     // A Krylov space meets each eigenspace in one direction; rounding brings in others, but not surely all. What one
     // run misses, the next one finds in the complement.
     for (Index missing = count; missing > 0;) {
-        add(find_more(std::min(missing, count)));
+        if (Status status = add(find_more(std::min(missing, count))); !status) return status.error();
         progress.step();
         const auto left = count_missing(s, pairs.values);
         if (!left && left.error().code != ErrorCode::not_converged) return left.error();
@@ -229,7 +246,7 @@ Result<Eigenpairs> sparse_eigenpairs(const SparseMatrix& s, Index count, Monitor
         }
         // On symmetric meshes, leading blocks may share the eigenvalue: then the lowest of the complement has to tell.
         const double before = pairs.values.sum();
-        add(find_more(1));
+        if (Status status = add(find_more(1)); !status) return status.error();
         missing = pairs.values.sum() < before - eigenpair_tolerance ? 1 : 0;
     }
 

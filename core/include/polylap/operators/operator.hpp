@@ -33,7 +33,9 @@ struct PropertyClaims {
     PropertyClaim constants_in_kernel;    ///< S 1 = 0
     PropertyClaim linear_precision;       ///< (S x)ᵢ = 0 at inner vertices whose surroundings lie in one plane.
     PropertyClaim maximum_principle;      ///< Harmonic functions stay within the range of their boundary values.
-    PropertyClaim convergent;             ///< Solutions approach the smooth ones under refinement.
+    /// Solutions approach the smooth ones under refinement; for parameters off the ends of their ranges, where a
+    /// stabiliser may vanish, and masses that sum to the area.
+    PropertyClaim convergent;
 };
 
 /// One line of the property table.
