@@ -144,7 +144,7 @@ TEST(Properties, VerticesInNoFaceHaveNoPartInTheKernel) {
 }
 
 TEST(Properties, AKernelBeyondTheLimitIsSaidToBeIncomplete) {
-    for (const int n : {66, 100, 250}) {
+    for (const int n : {66, 100, 400}) {
         const PropertyReport report = check(make_face(regular_polygon(n)), stabilised(0));
         EXPECT_EQ(report.kernel_dimension, kernel_limit) << n;
         EXPECT_EQ(report.kernel_complete, n == 66) << n;

@@ -18,6 +18,10 @@ namespace {
 /// 3 ms for 20 pairs of 361 rows.
 constexpr Index dense_limit = 100;
 
+/// Up to this size the dense solver, within about a second, helps out where Lanczos does not converge: where nearly
+/// all of the spectrum is one eigenvalue.
+constexpr Index dense_rescue = 1000;
+
 /// The shift stays below zero by this multiple of the mean |diagonal entry|: close to the spectrum, so that low
 /// eigenvalues stand far apart after inversion, and far enough for a well-conditioned factor.
 constexpr double first_shift = 1e-5;
@@ -269,6 +273,9 @@ Result<Eigenpairs> lowest_eigenpairs(const SparseMatrix& symmetric, Index count,
         if (scale == 0) return Eigenpairs{Vector::Zero(count), Matrix::Identity(n, count)};
         auto pairs = n <= dense_limit || count > n / 4 ? dense_eigenpairs(symmetric / scale, count, monitor)
                                                        : sparse_eigenpairs(symmetric / scale, count, monitor);
+        if (!pairs && pairs.error().code == ErrorCode::not_converged && n <= dense_rescue) {
+            pairs = dense_eigenpairs(symmetric / scale, count, monitor);
+        }
         if (pairs) pairs->values *= scale;
         if (pairs && !monitor.proceed(1)) return Error{ErrorCode::cancelled, "cancelled"};
         return pairs;
