@@ -28,14 +28,64 @@ export type PropertyId =
   | 'convergent';
 
 export type OperatorId =
+  | 'umbrella'
+  | 'tutte'
+  | 'normalized-graph'
+  | 'cotan'
+  | 'weighted-cotan'
   | 'alexa-wardetzky'
+  | 'alexa-wardetzky-weighted'
   | 'planar';
+
+/** Umbrella. The graph Laplacian of the edges: every neighbour counts alike, wherever it lies. */
+export interface UmbrellaSpec {
+  id: 'umbrella';
+}
+
+/** Tutte. The difference of each value from the mean of its neighbours along edges. */
+export interface TutteSpec {
+  id: 'tutte';
+}
+
+/** Normalised graph. The graph Laplacian, scaled symmetrically by the numbers of neighbours. */
+export interface NormalizedGraphSpec {
+  id: 'normalized-graph';
+}
+
+/** Cotan. Linear finite elements on the triangles that the faces are cut into, in space. */
+export interface CotanSpec {
+  id: 'cotan';
+  /** rule; how faces are cut into triangles; default delaunay. */
+  rule?: 'delaunay' | 'min-max-angle' | 'shortest-diagonal' | 'fan';
+  /** mass; how much area each vertex gets; default lumped. */
+  mass?: 'lumped' | 'barycentric' | 'ring' | 'circumcentric' | 'mixed-voronoi' | 'galerkin';
+}
+
+/** Cotan, weighted. Dual over primal lengths, as for the cotan operator, with dual edges that weights of the vertices move. */
+export interface WeightedCotanSpec {
+  id: 'weighted-cotan';
+  /** rule; how faces are cut into triangles; default delaunay. */
+  rule?: 'delaunay' | 'min-max-angle' | 'shortest-diagonal' | 'fan';
+  /** mass; how much area each vertex gets; default lumped. */
+  mass?: 'lumped' | 'barycentric' | 'ring' | 'circumcentric' | 'mixed-voronoi' | 'galerkin';
+  /** ω, one per vertex, length²; default all 0. */
+  vertexWeights?: ArrayLike<number>;
+}
 
 /** Alexa–Wardetzky. Edge vectors against the vector area of each face, stabilised by λ where they see nothing. */
 export interface AlexaWardetzkySpec {
   id: 'alexa-wardetzky';
   /** λ; λ = ½ is the five-point star on squares; in [0, 1000000]; default 1. */
   lambda?: number;
+}
+
+/** Alexa–Wardetzky, weighted. Alexa and Wardetzky's operator with points on the edges that weights of the vertices move. */
+export interface AlexaWardetzkyWeightedSpec {
+  id: 'alexa-wardetzky-weighted';
+  /** λ; the stabiliser of the unweighted operator; in [0, 1000000]; default 1. */
+  lambda?: number;
+  /** ω, one per vertex, length²; default all 0. */
+  vertexWeights?: ArrayLike<number>;
 }
 
 /** Planar. Each face is projected along its vector area and triangulated there; the cotangents of its triangles are summed. */
@@ -46,7 +96,7 @@ export interface PlanarSpec {
 }
 
 /** Which operator, with which parameters; what is left out takes its default. */
-export type OperatorSpec = AlexaWardetzkySpec | PlanarSpec;
+export type OperatorSpec = UmbrellaSpec | TutteSpec | NormalizedGraphSpec | CotanSpec | WeightedCotanSpec | AlexaWardetzkySpec | AlexaWardetzkyWeightedSpec | PlanarSpec;
 
 /** Grid. Equal rectangles on a rectangle of the plane. */
 export interface GridShape {
@@ -356,6 +406,284 @@ export type ConversionSpec = DualConversion | QuadsConversion | PairTrianglesCon
 /** The operator table, in the order of menus. */
 export const operators: readonly OperatorInfo[] = [
   {
+    id: 'umbrella',
+    label: 'Umbrella',
+    summary: 'The graph Laplacian of the edges: every neighbour counts alike, wherever it lies.',
+    formulaLatex: 'w_{ij} = 1',
+    citation: 'G. Taubin: A signal processing approach to fair surface design. SIGGRAPH 1995; Herholz 2012, section 3.2',
+    parameters: [],
+    takesVertexWeights: false,
+    claims: {
+      symmetric: {
+        where: 'yes',
+        why: 'an edge has the same weight from both ends',
+      },
+      local: {
+        where: 'yes',
+        why: 'only edges have weights',
+      },
+      positiveWeights: {
+        where: 'yes',
+        why: 'every weight is 1',
+      },
+      positiveSemidefinite: {
+        where: 'yes',
+        why: 'a sum of squared differences along edges',
+      },
+      constantsInKernel: {
+        where: 'yes',
+        why: 'only differences along edges enter',
+      },
+      linearPrecision: {
+        where: 'no',
+        why: 'a vertex need not lie at the mean of its neighbours',
+      },
+      maximumPrinciple: {
+        where: 'yes',
+        why: 'a harmonic value is the mean of its neighbours',
+      },
+      convergent: {
+        where: 'no',
+        why: 'it knows nothing of lengths and angles',
+      },
+    },
+    formulaMathml: '<math display="block" class="tml-display"><mrow><msub><mi>w</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub><mo>=</mo><mn>1</mn></mrow></math>',
+  },
+  {
+    id: 'tutte',
+    label: 'Tutte',
+    summary: 'The difference of each value from the mean of its neighbours along edges.',
+    formulaLatex: 'w_{ij} = 1 / d_i',
+    citation: 'W. T. Tutte: How to draw a graph. Proc. London Math. Soc. 13, 1963; Herholz 2012, section 3.2',
+    parameters: [],
+    takesVertexWeights: false,
+    claims: {
+      symmetric: {
+        where: 'no',
+        why: 'each end of an edge divides by its own number of neighbours',
+      },
+      local: {
+        where: 'yes',
+        why: 'only edges have weights',
+      },
+      positiveWeights: {
+        where: 'yes',
+        why: 'every weight is one over a number of neighbours',
+      },
+      positiveSemidefinite: {
+        where: 'no',
+        why: 'its spectrum lies in [0, 2], but uᵀSu can be negative where the numbers of neighbours differ',
+      },
+      constantsInKernel: {
+        where: 'yes',
+        why: 'a constant equals the mean of its neighbours',
+      },
+      linearPrecision: {
+        where: 'no',
+        why: 'a vertex need not lie at the mean of its neighbours',
+      },
+      maximumPrinciple: {
+        where: 'yes',
+        why: 'a harmonic value is the mean of its neighbours',
+      },
+      convergent: {
+        where: 'no',
+        why: 'it knows nothing of lengths and angles',
+      },
+    },
+    formulaMathml: '<math display="block" class="tml-display"><mrow><msub><mi>w</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub><mo>=</mo><mn>1</mn><mi>/</mi><msub><mi>d</mi><mi>i</mi></msub></mrow></math>',
+  },
+  {
+    id: 'normalized-graph',
+    label: 'Normalised graph',
+    summary: 'The graph Laplacian, scaled symmetrically by the numbers of neighbours.',
+    formulaLatex: 'w_{ij} = 1 / \\sqrt{d_i d_j}',
+    citation: 'F. Chung: Spectral graph theory. AMS 1997; Herholz 2012, section 3.2',
+    parameters: [],
+    takesVertexWeights: false,
+    claims: {
+      symmetric: {
+        where: 'yes',
+        why: 'both ends of an edge enter alike',
+      },
+      local: {
+        where: 'yes',
+        why: 'only edges have weights',
+      },
+      positiveWeights: {
+        where: 'yes',
+        why: 'every weight is one over a root',
+      },
+      positiveSemidefinite: {
+        where: 'yes',
+        why: 'the graph Laplacian, scaled from both sides',
+      },
+      constantsInKernel: {
+        where: 'no',
+        why: 'its kernel are the roots of the numbers of neighbours',
+      },
+      linearPrecision: {
+        where: 'no',
+        why: 'a vertex need not lie at the mean of its neighbours',
+      },
+      maximumPrinciple: {
+        where: 'no',
+        why: 'vertices of many neighbours rise above the rest',
+      },
+      convergent: {
+        where: 'no',
+        why: 'it knows nothing of lengths and angles',
+      },
+    },
+    formulaMathml: '<math display="block" class="tml-display"><mrow><msub><mi>w</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub><mo>=</mo><mn>1</mn><mi>/</mi><msqrt><mrow><msub><mi>d</mi><mi>i</mi></msub><msub><mi>d</mi><mi>j</mi></msub></mrow></msqrt></mrow></math>',
+  },
+  {
+    id: 'cotan',
+    label: 'Cotan',
+    summary: 'Linear finite elements on the triangles that the faces are cut into, in space.',
+    formulaLatex: 'w_{ij} = \\tfrac12\\left(\\cot\\gamma_{ij} + \\cot\\gamma_{ji}\\right)',
+    citation: 'U. Pinkall, K. Polthier: Computing discrete minimal surfaces and their conjugates. Experimental Mathematics 2(1), 1993; Herholz 2012, eq. 3.16',
+    parameters: [
+      {
+        id: 'rule',
+        label: 'rule',
+        hint: 'how faces are cut into triangles',
+        kind: 'choice',
+        choices: [
+          'delaunay',
+          'min-max-angle',
+          'shortest-diagonal',
+          'fan',
+        ],
+        initial: 'delaunay',
+      },
+      {
+        id: 'mass',
+        label: 'mass',
+        hint: 'how much area each vertex gets',
+        kind: 'choice',
+        choices: [
+          'lumped',
+          'barycentric',
+          'ring',
+          'circumcentric',
+          'mixed-voronoi',
+          'galerkin',
+        ],
+        initial: 'lumped',
+      },
+    ],
+    takesVertexWeights: false,
+    claims: {
+      symmetric: {
+        where: 'yes',
+        why: 'cotangents weigh both directions of an edge alike',
+      },
+      local: {
+        where: 'yes',
+        why: 'a sum over triangles inside faces',
+      },
+      positiveWeights: {
+        where: 'no',
+        why: 'two angles opposite an edge can exceed 180° in sum',
+      },
+      positiveSemidefinite: {
+        where: 'yes',
+        why: 'each triangle adds a Dirichlet energy',
+      },
+      constantsInKernel: {
+        where: 'yes',
+        why: 'only differences along edges enter',
+      },
+      linearPrecision: {
+        where: 'yes',
+        why: 'S x is the gradient of the area of the triangles',
+      },
+      maximumPrinciple: {
+        where: 'no',
+        why: 'a negative weight lets values overshoot',
+      },
+      convergent: {
+        where: 'yes',
+        why: 'linear finite elements; the mass `ring` alone is six times the area',
+      },
+    },
+    formulaMathml: '<math display="block" class="tml-display"><mrow><msub><mi>w</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub><mo>=</mo><mstyle displaystyle="false" scriptlevel="0"><mfrac><mn>1</mn><mn>2</mn></mfrac></mstyle><mrow><mo fence="true" form="prefix" stretchy="true">(</mo><mrow><mi>cot</mi><mo>⁡</mo><mspace width="0.1667em"></mspace></mrow><msub><mi>γ</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub><mo>+</mo><mrow><mi>cot</mi><mo>⁡</mo><mspace width="0.1667em"></mspace></mrow><msub><mi>γ</mi><mrow><mi>j</mi><mi>i</mi></mrow></msub><mo fence="true" form="postfix" stretchy="true">)</mo></mrow></mrow></math>',
+  },
+  {
+    id: 'weighted-cotan',
+    label: 'Cotan, weighted',
+    summary: 'Dual over primal lengths, as for the cotan operator, with dual edges that weights of the vertices move.',
+    formulaLatex: 'w_{ij} = \\sum_k \\frac{d_{ik} - d_{ij}\\cos\\gamma_i}{|e_{ij}|\\,\\sin\\gamma_i},\\; d_{ij} = \\frac{|e_{ij}|^2 + \\omega_i - \\omega_j}{2\\,|e_{ij}|}',
+    citation: 'D. Glickenstein: A monotonicity property for weighted Delaunay triangulations. Discrete & Computational Geometry 38(4), 2007; Herholz 2012, eq. 3.24 and 3.25',
+    parameters: [
+      {
+        id: 'rule',
+        label: 'rule',
+        hint: 'how faces are cut into triangles',
+        kind: 'choice',
+        choices: [
+          'delaunay',
+          'min-max-angle',
+          'shortest-diagonal',
+          'fan',
+        ],
+        initial: 'delaunay',
+      },
+      {
+        id: 'mass',
+        label: 'mass',
+        hint: 'how much area each vertex gets',
+        kind: 'choice',
+        choices: [
+          'lumped',
+          'barycentric',
+          'ring',
+          'circumcentric',
+          'mixed-voronoi',
+          'galerkin',
+        ],
+        initial: 'lumped',
+      },
+    ],
+    takesVertexWeights: true,
+    claims: {
+      symmetric: {
+        where: 'yes',
+        why: 'an edge and its dual have one length each',
+      },
+      local: {
+        where: 'yes',
+        why: 'a sum over triangles inside faces',
+      },
+      positiveWeights: {
+        where: 'no',
+        why: 'dual edges may run backwards',
+      },
+      positiveSemidefinite: {
+        where: 'no',
+        why: 'large weights turn dual edges around',
+      },
+      constantsInKernel: {
+        where: 'yes',
+        why: 'only differences along edges enter',
+      },
+      linearPrecision: {
+        where: 'yes',
+        why: 'the dual edges around a vertex, orthogonal to its edges, close up',
+      },
+      maximumPrinciple: {
+        where: 'no',
+        why: 'a negative weight lets values overshoot',
+      },
+      convergent: {
+        where: 'no',
+        why: 'large weights can even make it singular',
+      },
+    },
+    formulaMathml: '<math display="block" class="tml-display"><mrow><msub><mi>w</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub><mo>=</mo><mrow><munder><mo movablelimits="false">∑</mo><mi>k</mi></munder></mrow><mfrac><mrow><msub><mi>d</mi><mrow><mi>i</mi><mi>k</mi></mrow></msub><mo>−</mo><msub><mi>d</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub><mrow><mi>cos</mi><mo>⁡</mo><mspace width="0.1667em"></mspace></mrow><msub><mi>γ</mi><mi>i</mi></msub></mrow><mrow><mi>|</mi><msub><mi>e</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub><mi>|</mi><mspace width="0.1667em"></mspace><mrow><mspace width="0.1667em"></mspace><mi>sin</mi><mo>⁡</mo><mspace width="0.1667em"></mspace></mrow><msub><mi>γ</mi><mi>i</mi></msub></mrow></mfrac><mo separator="true">,</mo><mspace width="0.2778em"></mspace><msub><mi>d</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub><mo>=</mo><mfrac><mrow><mi>|</mi><msub><mi>e</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub><msup><mi>|</mi><mn>2</mn></msup><mo>+</mo><msub><mi>ω</mi><mi>i</mi></msub><mo>−</mo><msub><mi>ω</mi><mi>j</mi></msub></mrow><mrow><mn>2</mn><mspace width="0.1667em"></mspace><mi>|</mi><msub><mi>e</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub><mi>|</mi></mrow></mfrac></mrow></math>',
+  },
+  {
     id: 'alexa-wardetzky',
     label: 'Alexa–Wardetzky',
     summary: 'Edge vectors against the vector area of each face, stabilised by λ where they see nothing.',
@@ -410,6 +738,62 @@ export const operators: readonly OperatorInfo[] = [
       },
     },
     formulaMathml: '<math display="block" class="tml-display"><mrow><msub><mi>S</mi><mi>f</mi></msub><mo>=</mo><msup><mi>δ</mi><mrow><mi mathvariant="normal">T</mi><mspace></mspace></mrow></msup><mo fence="true" symmetric="true" minsize="1.8em" maxsize="1.8em">(</mo><mstyle displaystyle="false" scriptlevel="0"><mfrac><mn>1</mn><mrow><mi>|</mi><mi>a</mi><mi>|</mi></mrow></mfrac></mstyle><mspace width="0.1667em"></mspace><mi>B</mi><msup><mi>B</mi><mrow class="tml-med-pad"><mi mathvariant="normal">T</mi><mspace></mspace></mrow></msup><mo>+</mo><mi>λ</mi><mspace width="0.1667em"></mspace><mi>C</mi><msup><mi>C</mi><mrow class="tml-med-pad"><mi mathvariant="normal">T</mi><mspace></mspace></mrow></msup><mo fence="true" symmetric="true" minsize="1.8em" maxsize="1.8em">)</mo><mi>δ</mi></mrow></math>',
+  },
+  {
+    id: 'alexa-wardetzky-weighted',
+    label: 'Alexa–Wardetzky, weighted',
+    summary: 'Alexa and Wardetzky\'s operator with points on the edges that weights of the vertices move.',
+    formulaLatex: 'S_f = \\delta^{\\mathrm T}\\Bigl(\\tfrac{1}{|a|}\\,B (B^w)^{\\mathrm T} + \\lambda\\, C C^{\\mathrm T}\\Bigr)\\delta,\\; b^w_i = x_i + \\tfrac{|e_i|^2 + \\omega_i - \\omega_{i+1}}{2|e_i|^2}\\, e_i',
+    citation: 'P. Herholz: General discrete Laplace operators on polygonal meshes. Diploma thesis, Humboldt-Universität zu Berlin, 2012, Lemma 4 and eq. 4.31',
+    parameters: [
+      {
+        id: 'lambda',
+        label: 'λ',
+        hint: 'the stabiliser of the unweighted operator',
+        kind: 'real',
+        min: 0,
+        max: 1000000,
+        sliderMax: 2,
+        step: 0.01,
+        initial: 1,
+      },
+    ],
+    takesVertexWeights: true,
+    claims: {
+      symmetric: {
+        where: 'triangles',
+        why: 'on larger faces only few weights leave it symmetric',
+      },
+      local: {
+        where: 'yes',
+        why: 'a sum over faces',
+      },
+      positiveWeights: {
+        where: 'no',
+        why: 'already without weights of vertices, λ > ½ makes diagonals negative',
+      },
+      positiveSemidefinite: {
+        where: 'no',
+        why: 'large weights turn dual edges around',
+      },
+      constantsInKernel: {
+        where: 'yes',
+        why: 'only differences along edges enter',
+      },
+      linearPrecision: {
+        where: 'triangles',
+        why: 'on larger faces only the transpose is precise',
+      },
+      maximumPrinciple: {
+        where: 'no',
+        why: 'negative weights let values overshoot',
+      },
+      convergent: {
+        where: 'no',
+        why: 'large weights can even make it singular',
+      },
+    },
+    formulaMathml: '<math display="block" class="tml-display"><mrow><msub><mi>S</mi><mi>f</mi></msub><mo>=</mo><msup><mi>δ</mi><mrow><mi mathvariant="normal">T</mi><mspace></mspace></mrow></msup><mo fence="true" symmetric="true" minsize="1.8em" maxsize="1.8em">(</mo><mstyle displaystyle="false" scriptlevel="0"><mfrac><mn>1</mn><mrow><mi>|</mi><mi>a</mi><mi>|</mi></mrow></mfrac></mstyle><mspace width="0.1667em"></mspace><mi>B</mi><mo form="prefix" stretchy="false">(</mo><msup><mi>B</mi><mi class="tml-med-pad">w</mi></msup><msup><mo form="postfix" stretchy="false">)</mo><mrow><mi mathvariant="normal">T</mi><mspace></mspace></mrow></msup><mo>+</mo><mi>λ</mi><mspace width="0.1667em"></mspace><mi>C</mi><msup><mi>C</mi><mrow class="tml-med-pad"><mi mathvariant="normal">T</mi><mspace></mspace></mrow></msup><mo fence="true" symmetric="true" minsize="1.8em" maxsize="1.8em">)</mo><mi>δ</mi><mo separator="true">,</mo><mspace width="0.2778em"></mspace><msubsup><mi>b</mi><mi>i</mi><mi>w</mi></msubsup><mo>=</mo><msub><mi>x</mi><mi>i</mi></msub><mo>+</mo><mstyle displaystyle="false" scriptlevel="0"><mfrac><mrow><mi>|</mi><msub><mi>e</mi><mi>i</mi></msub><msup><mi>|</mi><mn>2</mn></msup><mo>+</mo><msub><mi>ω</mi><mi>i</mi></msub><mo>−</mo><msub><mi>ω</mi><mrow><mi>i</mi><mo>+</mo><mn>1</mn></mrow></msub></mrow><mrow><mn>2</mn><mi>|</mi><msub><mi>e</mi><mi>i</mi></msub><msup><mi>|</mi><mn>2</mn></msup></mrow></mfrac></mstyle><mspace width="0.1667em"></mspace><msub><mi>e</mi><mi>i</mi></msub></mrow></math>',
   },
   {
     id: 'planar',
