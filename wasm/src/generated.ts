@@ -35,7 +35,8 @@ export type OperatorId =
   | 'weighted-cotan'
   | 'alexa-wardetzky'
   | 'alexa-wardetzky-weighted'
-  | 'planar';
+  | 'planar'
+  | 'orthogonal-dual';
 
 /** Umbrella. The graph Laplacian of the edges: every neighbour counts alike, wherever it lies. */
 export interface UmbrellaSpec {
@@ -95,8 +96,13 @@ export interface PlanarSpec {
   rule?: 'delaunay' | 'min-max-angle' | 'shortest-diagonal' | 'fan';
 }
 
+/** Orthogonal dual. Dual edges are made orthogonal to the edges, with dual vertices as near to the barycentres as that allows; a weight is the signed length of the dual edge over that of the edge. */
+export interface OrthogonalDualSpec {
+  id: 'orthogonal-dual';
+}
+
 /** Which operator, with which parameters; what is left out takes its default. */
-export type OperatorSpec = UmbrellaSpec | TutteSpec | NormalizedGraphSpec | CotanSpec | WeightedCotanSpec | AlexaWardetzkySpec | AlexaWardetzkyWeightedSpec | PlanarSpec;
+export type OperatorSpec = UmbrellaSpec | TutteSpec | NormalizedGraphSpec | CotanSpec | WeightedCotanSpec | AlexaWardetzkySpec | AlexaWardetzkyWeightedSpec | PlanarSpec | OrthogonalDualSpec;
 
 /** Grid. Equal rectangles on a rectangle of the plane. */
 export interface GridShape {
@@ -852,6 +858,50 @@ export const operators: readonly OperatorInfo[] = [
       },
     },
     formulaMathml: '<math display="block" class="tml-display"><mrow><msub><mi>w</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub><mo>=</mo><mstyle displaystyle="false" scriptlevel="0"><mfrac><mn>1</mn><mn>2</mn></mfrac></mstyle><mrow><mo fence="true" form="prefix" stretchy="true">(</mo><mrow><mi>cot</mi><mo>⁡</mo><mspace width="0.1667em"></mspace></mrow><msub><mi>γ</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub><mo>+</mo><mrow><mi>cot</mi><mo>⁡</mo><mspace width="0.1667em"></mspace></mrow><msub><mi>γ</mi><mrow><mi>j</mi><mi>i</mi></mrow></msub><mo fence="true" form="postfix" stretchy="true">)</mo></mrow></mrow></math>',
+  },
+  {
+    id: 'orthogonal-dual',
+    label: 'Orthogonal dual',
+    summary: 'Dual edges are made orthogonal to the edges, with dual vertices as near to the barycentres as that allows; a weight is the signed length of the dual edge over that of the edge.',
+    formulaLatex: 'w_{ij} = \\frac{d_k + d_l}{|e_{ij}|},\\quad \\langle v_k - v_l,\\, e_{ij}\\rangle = 0,\\quad \\sum_k |v_k - b_k|^2 \\to \\min',
+    citation: 'P. Herholz: General discrete Laplace operators on polygonal meshes. Diploma thesis, Humboldt-Universität zu Berlin, 2012, section 4.1',
+    parameters: [],
+    takesVertexWeights: false,
+    claims: {
+      symmetric: {
+        where: 'yes',
+        why: 'one weight per edge',
+      },
+      local: {
+        where: 'yes',
+        why: 'weights sit on edges only',
+      },
+      positiveWeights: {
+        where: 'no',
+        why: 'a dual vertex may lie beyond an edge of its face',
+      },
+      positiveSemidefinite: {
+        where: 'no',
+        why: 'enough negative weights make the energy negative',
+      },
+      constantsInKernel: {
+        where: 'yes',
+        why: 'only differences along edges enter',
+      },
+      linearPrecision: {
+        where: 'yes',
+        why: 'dual edges orthogonal to the edges close up around a vertex',
+      },
+      maximumPrinciple: {
+        where: 'no',
+        why: 'negative weights let values overshoot',
+      },
+      convergent: {
+        where: 'no',
+        why: 'where the constraints fight, the nearest dual lies far from the mesh',
+      },
+    },
+    formulaMathml: '<math display="block" class="tml-display"><mrow><msub><mi>w</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub><mo>=</mo><mfrac><mrow><msub><mi>d</mi><mi>k</mi></msub><mo>+</mo><msub><mi>d</mi><mi>l</mi></msub></mrow><mrow><mi>|</mi><msub><mi>e</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub><mi>|</mi></mrow></mfrac><mo separator="true">,</mo><mspace width="1em"></mspace><mrow><mo fence="true" form="prefix" stretchy="false">⟨</mo><msub><mi>v</mi><mi>k</mi></msub><mo>−</mo><msub><mi>v</mi><mi>l</mi></msub><mo separator="true">,</mo><mspace width="0.1667em"></mspace><msub><mi>e</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub><mo fence="true" form="postfix" stretchy="false">⟩</mo></mrow><mo>=</mo><mn>0</mn><mo separator="true">,</mo><mspace width="1em"></mspace><mrow><munder><mo movablelimits="false">∑</mo><mi>k</mi></munder></mrow><mi>|</mi><msub><mi>v</mi><mi>k</mi></msub><mo>−</mo><msub><mi>b</mi><mi>k</mi></msub><msup><mi>|</mi><mn>2</mn></msup><mo>→</mo><mrow><mi>min</mi><mo>⁡</mo><mspace width="0.1667em"></mspace></mrow></mrow></math>',
   },
 ];
 
