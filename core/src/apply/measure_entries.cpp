@@ -225,9 +225,10 @@ Measurement measure_linear_precision(const Subject& subject) {
         double terms = 0;
         bool flat = true;
         for (SparseMatrix::InnerIterator it(columns_are_rows, v); it; ++it) {
+            if (std::abs(it.value()) <= subject.zero()) continue;
             const Vector3 edge = mesh.position(it.index()) - mesh.position(v);
             const double length = edge.stableNorm();
-            if (std::abs(it.value()) > subject.zero() && std::abs(normal.dot(edge)) > 1e2 * flatness * length) {
+            if (std::abs(normal.dot(edge)) > 1e2 * flatness * length) {
                 flat = false;
                 break;
             }
