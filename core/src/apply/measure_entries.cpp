@@ -215,8 +215,7 @@ Measurement measure_linear_precision(const Subject& subject) {
     const SparseMatrix columns_are_rows = subject.stiffness().transpose();
     const std::vector<Vector3> normals = flat_normals(mesh, subject.topology);
     Index places = 0;
-    double worst = -1;
-    double value = 0;
+    double value = -1;
     Index vertex = -1;
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
         const Vector3& normal = normals[static_cast<std::size_t>(v)];
@@ -225,7 +224,7 @@ Measurement measure_linear_precision(const Subject& subject) {
         double terms = 0;
         bool flat = true;
         for (SparseMatrix::InnerIterator it(columns_are_rows, v); it; ++it) {
-            if (std::abs(it.value()) <= subject.zero()) continue;
+            if (std::abs(it.value()) <= subject.zero()) continue;  // a row of rounding alone has no precision to lose
             const Vector3 edge = mesh.position(it.index()) - mesh.position(v);
             const double length = edge.stableNorm();
             if (std::abs(normal.dot(edge)) > 1e2 * flatness * length) {
@@ -238,8 +237,8 @@ Measurement measure_linear_precision(const Subject& subject) {
         if (!flat) continue;
         ++places;
         const double relative = terms > 0 ? sum.stableNorm() / terms : 0;
-        if (relative <= worst) continue;
-        worst = value = relative;
+        if (relative <= value) continue;
+        value = relative;
         vertex = v;
     }
     if (places == 0) return not_measured("no inner vertex has surroundings in one plane");

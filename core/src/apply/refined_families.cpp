@@ -53,7 +53,7 @@ Result<PolygonMesh> quads(int level) {
 
 /// Each quad cut along its first corner's diagonal, which leaves obtuse angles.
 Result<PolygonMesh> triangles(int level) {
-    const auto mesh = quads(level);
+    auto mesh = quads(level);
     if (!mesh) return mesh;
     std::vector<Index> offsets{0};
     std::vector<Index> corners;
