@@ -5,6 +5,7 @@ import type { AddressInfo } from 'node:net';
 import { extname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { type Browser, type BrowserContextOptions, chromium, type Page } from 'playwright-core';
+import { afterAll, beforeAll } from 'vitest';
 import type { Side } from '../../wasm/src/types.js';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
@@ -22,13 +23,15 @@ const types: Record<string, string> = {
 /** The page lives below a path, as it may on any host, and nothing else is there. */
 const base = '/some/where/';
 
+export const tasks = ['Weights', 'Smooth', 'Harmonic', 'Dual', 'Check'];
+
 export interface Site {
   url: string;
   browser: Browser;
   close: () => Promise<void>;
 }
 
-export async function startSite(): Promise<Site> {
+async function startSite(): Promise<Site> {
   if (!existsSync(join(dist, 'index.html')))
     throw new Error(`There is no built page in ${dist}: npm run build makes it.`);
   const server: Server = createServer((request, response) => {
@@ -99,6 +102,26 @@ export async function visit(site: Site, options: BrowserContextOptions = {}): Pr
   await page.goto(site.url);
   await settled(page);
   return { page, troubles, close: () => context.close() };
+}
+
+/** A site for the tests of a file: there before the first, closed after the last. */
+export function useSite(): Site {
+  const site = {} as Site;
+  beforeAll(async () => {
+    Object.assign(site, await startSite());
+  });
+  afterAll(() => site.close?.());
+  return site;
+}
+
+/** One visit for all tests of a file or a group. */
+export function useVisit(site: Site): Visit {
+  const at = {} as Visit;
+  beforeAll(async () => {
+    Object.assign(at, await visit(site));
+  });
+  afterAll(() => at.close?.());
+  return at;
 }
 
 /** Until both sides know their weights and nothing is under way. */

@@ -3,14 +3,10 @@ import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { AxeBuilder } from '@axe-core/playwright';
 import type { Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { dist, picture, readout, type Site, settled, startSite, visit } from './browser.js';
+import { describe, expect, it } from 'vitest';
+import { dist, picture, readout, settled, tasks, useSite, visit } from './browser.js';
 
-let site: Site;
-beforeAll(async () => {
-  site = await startSite();
-});
-afterAll(() => site?.close());
+const site = useSite();
 
 /** What axe complains about, in one line each. */
 async function complaints(page: Page): Promise<string[]> {
@@ -46,7 +42,7 @@ describe.each([
       .setInputFiles({ name: 'broken.obj', mimeType: 'text/plain', buffer: Buffer.from('f 1 2 3') });
     await page.locator('.error').waitFor({ state: 'visible' });
     expect(await complaints(page)).toEqual([]);
-    for (const opener of ['Paste…', 'Help']) {
+    for (const opener of ['Make…', 'Paste…', 'Help']) {
       await page.getByRole('button', { name: opener }).click();
       expect(await complaints(page)).toEqual([]);
       await page.keyboard.press('Escape');
@@ -59,7 +55,7 @@ describe.each([
 describe('widths', () => {
   it.each([1440, 1024, 899, 390, 320])('%i px: nothing is wider than the window', async (width) => {
     const { page, close } = await visit(site, { viewport: { width, height: 800 }, hasTouch: width < 900 });
-    for (const task of ['Weights', 'Smooth', 'Harmonic']) {
+    for (const task of tasks) {
       await page.getByRole('tab', { name: task }).click();
       expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
     }
@@ -77,7 +73,7 @@ describe('widths', () => {
     expect(await page.locator('[data-view=a]').isVisible()).toBe(false);
     expect(await page.locator('[data-view=b]').isVisible()).toBe(true);
     expect(await toB.getAttribute('aria-pressed')).toBe('true');
-    for (const name of ['Open…', 'Paste…', 'Help']) {
+    for (const name of ['Make…', 'Open…', 'Paste…', 'Help']) {
       const box = await page.getByRole('button', { name }).boundingBox();
       expect(Math.min(box?.height ?? 0, box?.width ?? 0)).toBeGreaterThanOrEqual(name === 'Help' ? 32 : 44);
     }
@@ -122,6 +118,7 @@ describe('by keyboard alone', () => {
     const at = (name: string) => stops.findIndex((stop) => stop.startsWith(name));
     const order = [
       'Mesh',
+      'Make…',
       'Open…',
       'Paste…',
       'Colours',

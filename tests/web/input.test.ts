@@ -1,9 +1,9 @@
 /** What people type, drop and remove. */
-import { afterAll, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { parseNumber } from '../../web/src/layout/controls.js';
 import { verdictOn } from '../../web/src/layout/harmonic-panel.js';
 import type { Harmonic } from '../../web/src/polylap.js';
-import { chooseMesh, gridObj, openFile, type Site, settled, shows, startSite, type Visit, visit } from './browser.js';
+import { chooseMesh, gridObj, openFile, settled, shows, useSite, useVisit } from './browser.js';
 
 it.each([
   ['0,5', 0.5],
@@ -27,16 +27,8 @@ it('the verdict of one side stays when the other fails', () => {
   expect(verdictOn(known, known)).toMatch(/^2 \| 2 vertices outside the pinned range \[0, 1\]/);
 });
 
-let site: Site;
-let at: Visit;
-beforeAll(async () => {
-  site = await startSite();
-  at = await visit(site);
-});
-afterAll(async () => {
-  await at?.close();
-  await site?.close();
-});
+const site = useSite();
+const at = useVisit(site);
 
 const notice = () => at.page.locator('.notice').textContent();
 const focused = () =>
@@ -161,14 +153,16 @@ describe('files', () => {
 
   it('dropped text opens as pasted text does', async () => {
     await drop([], 'nothing to see');
-    await at.page.waitForFunction(() => /no OBJ text/.test(globalThis.polylap.results().notice));
+    await at.page.waitForFunction(() => /no mesh/.test(globalThis.polylap.results().notice));
     await drop([], gridObj(3));
     await opened('dropped.obj');
     await settled(at.page);
   });
 
-  it('the picker offers OBJ files', async () => {
-    expect(await at.page.getByLabel('Mesh file').getAttribute('accept')).toBe('.obj,model/obj');
+  it('the picker offers the formats that are read', async () => {
+    expect(await at.page.getByLabel('Mesh file').getAttribute('accept')).toBe(
+      '.obj,model/obj,.off,model/off,.ply,model/ply,.stl,model/stl',
+    );
   });
 });
 

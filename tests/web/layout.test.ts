@@ -1,13 +1,9 @@
 /** What must fit: cards, panel, names and numbers, at the sizes of windows that people have. */
 import type { Page } from 'playwright-core';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { openFile, picture, type Site, settled, startSite, visit } from './browser.js';
+import { describe, expect, it } from 'vitest';
+import { openFile, picture, settled, tasks, useSite, visit } from './browser.js';
 
-let site: Site;
-beforeAll(async () => {
-  site = await startSite();
-});
-afterAll(() => site?.close());
+const site = useSite();
 
 const longName = `${'a-mesh-with-quite-a-name-'.repeat(4)}.obj`;
 
@@ -67,7 +63,7 @@ describe.each([
     await page.waitForSelector('[data-row="7"]');
     await look();
     await picture(page, `size-${width}-long`);
-    for (const task of ['Smooth', 'Harmonic']) {
+    for (const task of tasks) {
       await page.getByRole('tab', { name: task }).click();
       await look();
     }
@@ -89,7 +85,7 @@ it('numbers are whole, however small or large the mesh', async () => {
       return source.kind === 'file' && source.name === name;
     }, `scale-${scale}.obj`);
     await settled(page);
-    for (const task of ['Weights', 'Smooth', 'Harmonic']) {
+    for (const task of tasks) {
       await page.getByRole('tab', { name: task }).click();
       if (task === 'Harmonic') {
         await page.getByLabel('Value of the next pin').fill(String(-1.23456789 * scale));

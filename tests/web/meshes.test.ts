@@ -1,5 +1,5 @@
 import { readFileSync } from 'node:fs';
-import { afterAll, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import {
   chooseMesh,
   dataFile,
@@ -8,27 +8,17 @@ import {
   openFile,
   picture,
   readout,
-  type Site,
   settled,
   shows,
-  startSite,
-  type Visit,
-  visit,
+  useSite,
+  useVisit,
 } from './browser.js';
 
 const hexagons = readFileSync(dataFile('meshes/hexagon-sphere-2.obj'), 'utf8');
 const facesOf = (text: string) => text.split('\n').filter((line) => line.startsWith('f ')).length;
 
-let site: Site;
-let at: Visit;
-beforeAll(async () => {
-  site = await startSite();
-  at = await visit(site);
-});
-afterAll(async () => {
-  await at?.close();
-  await site?.close();
-});
+const site = useSite();
+const at = useVisit(site);
 
 const source = () => at.page.evaluate(() => globalThis.polylap.state().source);
 const opened = (name: string) =>
@@ -100,7 +90,7 @@ describe('a mesh comes in', () => {
         document.body.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true }));
       }, text);
     await paste('a shopping list');
-    await at.page.waitForFunction(() => /no OBJ text/.test(document.querySelector('.notice')?.textContent ?? ''));
+    await at.page.waitForFunction(() => /no mesh/.test(document.querySelector('.notice')?.textContent ?? ''));
     expect((await source()).kind).toBe('preset');
     await paste(hexagons);
     await opened('pasted.obj');

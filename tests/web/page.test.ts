@@ -1,26 +1,20 @@
 import { readdirSync, readFileSync } from 'node:fs';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { beforeAll, describe, expect, it } from 'vitest';
 import { load, operators, type Polylap } from '../../wasm/src/node.js';
 import { presets } from '../../web/src/state.js';
-import { negative, picture, readout, type Site, settled, shows, startSite, type Visit, visit } from './browser.js';
+import { negative, picture, readout, settled, shows, useSite, useVisit } from './browser.js';
 
 const torus = presets[0]?.shape;
 if (!torus) throw new Error('there are no presets');
 
-let site: Site;
+const site = useSite();
 let polylap: Polylap;
 beforeAll(async () => {
-  site = await startSite();
   polylap = await load();
 });
-afterAll(() => site?.close());
 
 describe('the first view', () => {
-  let at: Visit;
-  beforeAll(async () => {
-    at = await visit(site);
-  });
-  afterAll(() => at?.close());
+  const at = useVisit(site);
 
   it('reads 2048 against 0', async () => {
     expect(await negative(at.page)).toEqual([2048, 0]);
@@ -85,11 +79,7 @@ describe('the first view', () => {
 });
 
 describe('operators and parameters', () => {
-  let at: Visit;
-  beforeAll(async () => {
-    at = await visit(site);
-  });
-  afterAll(() => at?.close());
+  const at = useVisit(site);
 
   it('changes sides by their menus', async () => {
     const { page } = at;

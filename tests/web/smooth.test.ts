@@ -1,19 +1,8 @@
 /** Smoothing to its end: what the page says when it pauses, stops, or has nothing left to smooth. */
-import { afterAll, beforeAll, beforeEach, describe, expect, it } from 'vitest';
+import { beforeEach, describe, expect, it } from 'vitest';
 import { PolylapError } from '../../web/src/polylap.js';
 import { isFaceRefused, stopped } from '../../web/src/stops.js';
-import {
-  chooseMesh,
-  openFile,
-  picture,
-  readout,
-  type Site,
-  settled,
-  shows,
-  startSite,
-  type Visit,
-  visit,
-} from './browser.js';
+import { chooseMesh, openFile, picture, readout, settled, shows, useSite, useVisit, visit } from './browser.js';
 
 describe('what stopped', () => {
   const side = (letter: 'a' | 'b', reason: string, collapsed = false, step = 3) => ({
@@ -39,16 +28,8 @@ describe('what stopped', () => {
 });
 
 describe('in the page', () => {
-  let site: Site;
-  let at: Visit;
-  beforeAll(async () => {
-    site = await startSite();
-    at = await visit(site);
-  });
-  afterAll(async () => {
-    await at?.close();
-    await site?.close();
-  });
+  const site = useSite();
+  const at = useVisit(site);
   beforeEach(async () => {
     await chooseMesh(at.page, 'torus');
     await chooseMesh(at.page, 'noisy-torus');

@@ -1,31 +1,12 @@
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { beforeAll, describe, expect, it } from 'vitest';
 import { load, type Polylap } from '../../wasm/src/node.js';
 import { presets } from '../../web/src/state.js';
-import {
-  chooseMesh,
-  clickVertex,
-  openFile,
-  picture,
-  readout,
-  type Site,
-  settled,
-  shows,
-  startSite,
-  type Visit,
-  visit,
-} from './browser.js';
+import { chooseMesh, clickVertex, openFile, picture, readout, settled, shows, useSite, useVisit } from './browser.js';
 
-let site: Site;
+const at = useVisit(useSite());
 let polylap: Polylap;
-let at: Visit;
 beforeAll(async () => {
-  site = await startSite();
   polylap = await load();
-  at = await visit(site);
-});
-afterAll(async () => {
-  await at?.close();
-  await site?.close();
 });
 
 const made = (id: string) => {

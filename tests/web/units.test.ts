@@ -2,12 +2,13 @@
 import { describe, expect, it } from 'vitest';
 import { load } from '../../wasm/src/node.js';
 import { boundaryPins, examplePins } from '../../web/src/boundary-pins.js';
+import { sharedRange } from '../../web/src/colouring.js';
 import { count, exact, real, weight } from '../../web/src/format.js';
 import { latest } from '../../web/src/latest.js';
 import { drawnPairs } from '../../web/src/layout/weights-panel.js';
-import { looksLikeObj } from '../../web/src/obj-text.js';
+import { countFaces, formatOfText } from '../../web/src/mesh-text.js';
 import type { Mesh } from '../../web/src/polylap.js';
-import { freshSide, sharedRange } from '../../web/src/results.js';
+import { freshSide } from '../../web/src/results.js';
 import { sparseRow } from '../../web/src/sparse-row.js';
 import { initialState, withPin } from '../../web/src/state.js';
 import { Store } from '../../web/src/store.js';
@@ -187,9 +188,52 @@ describe('meshes and matrices', () => {
     expect(row.get(41)).toBeCloseTo(-2, 12);
   });
 
-  it('tells OBJ text from other text', () => {
-    expect(looksLikeObj('# a mesh\nv 0 0 0\n')).toBe(true);
-    expect(looksLikeObj('very nice weather')).toBe(false);
-    expect(looksLikeObj('v for victory')).toBe(false);
+  it('reads rows, not columns, where they differ', async () => {
+    // Row 0 is (1, 2), row 1 is (0, 3).
+    const matrix = {
+      rows: 2,
+      cols: 2,
+      colStarts: Int32Array.of(0, 1, 3),
+      rowIndices: Int32Array.of(0, 0, 1),
+      values: Float64Array.of(1, 2, 3),
+    };
+    expect([...sparseRow(matrix, 0)]).toEqual([
+      [0, 1],
+      [1, 2],
+    ]);
+    expect([...sparseRow(matrix, 1)]).toEqual([[1, 3]]);
+  });
+});
+
+describe('mesh files', () => {
+  it.each([
+    ['# a mesh\nv 0 0 0\n', 'obj'],
+    ['very nice weather', null],
+    ['v for victory', null],
+    ['OFF\n3 1 0\n', 'off'],
+    ['# by hand\nNOFF 3 1 0', 'off'],
+    ['ply\nformat ascii 1.0\n', 'ply'],
+    ['solid cube\nfacet normal 0 0 1\n', 'stl'],
+    ['OFFICE hours', null],
+    ['solid advice', null],
+  ])('%j is %s', (text, format) => expect(formatOfText(text)).toBe(format));
+
+  it.each([
+    ['a.off', 'OFF\n# counts\n8 6 12\n0 0 0\n', 6],
+    ['a.off', 'OFF 8 7 12\n', 7],
+    ['a.ply', 'ply\nformat ascii 1.0\nelement vertex 8\nelement face 12\nend_header\n', 12],
+    ['a.txt', 'f 1 2 3', 0],
+  ])('%s counts its faces', async (name, text, faces) => expect(await countFaces(new Blob([text]), name)).toBe(faces));
+
+  it('counts binary ones', async () => {
+    const stl = new DataView(new ArrayBuffer(84 + 3 * 50));
+    stl.setUint32(80, 3, true);
+    expect(await countFaces(new Blob([stl]), 'a.stl')).toBe(3);
+    for (const little of [true, false]) {
+      const counts = new DataView(new ArrayBuffer(12));
+      counts.setInt32(0, 100, little);
+      counts.setInt32(4, 98, little);
+      expect(await countFaces(new Blob(['OFF BINARY\n', counts]), 'a.off')).toBe(98);
+    }
   });
 });

@@ -1,10 +1,12 @@
 import type { App } from './app.js';
+import { colouring } from './colouring.js';
 import { isTyping } from './dom.js';
 import type { Geometry, Side } from './polylap.js';
-import { sharedRange } from './results.js';
+import { known } from './results.js';
+import { chain, dualLayers, negativeLines, weightCircles } from './scene/layers.js';
 import { Mark } from './scene/markers.js';
 import type { Viewer } from './scene/viewer.js';
-import { sides } from './state.js';
+import { operatorOf, sides } from './state.js';
 
 /** A press that moves less than this, in pixels, is a click. */
 const clickReach = 5;
@@ -15,7 +17,7 @@ export function bindViewer(app: App, viewer: Viewer): void {
     (results) => [results.mesh],
     (mesh) => {
       if (!mesh) return;
-      viewer.setMesh(mesh.geometry, app.state.get().source.kind === 'preset' || liesFlat(mesh.geometry));
+      viewer.setMesh(mesh.geometry, app.state.get().source.kind !== 'file' || liesFlat(mesh.geometry));
     },
   );
   for (const side of sides) {
@@ -27,8 +29,13 @@ export function bindViewer(app: App, viewer: Viewer): void {
     );
     app.results.watch(
       (results) => [results[side].weights, results.mesh],
-      (weights, _mesh) => viewer.setNegative(side, typeof weights === 'string' ? null : weights),
+      (answer, _mesh) => {
+        const weights = known(answer);
+        viewer.setLayer(side, 'negative', weights && weights.segmentStarts.length > 0 ? negativeLines(weights) : null);
+      },
     );
+    bindDual(app, viewer, side);
+    bindWeights(app, viewer, side);
   }
 
   // Once, when all there is to see is there: drawing and computing would only slow each other down.
@@ -42,19 +49,43 @@ export function bindViewer(app: App, viewer: Viewer): void {
   );
   app.state.watch(
     (state) => [state.negativeShown[state.task]],
-    (shown) => viewer.showNegative(shown),
+    (shown) => viewer.showLayer('negative', shown),
   );
 
   const showValues = () => {
-    const results = app.results.get();
-    const range = app.state.get().task === 'harmonic' ? sharedRange(results) : null;
-    for (const side of sides) {
-      const { harmonic } = results[side];
-      viewer.setValues(side, range && harmonic && typeof harmonic !== 'string' ? harmonic.values : null, range);
-    }
+    const shown = colouring(app.state.get(), app.results.get());
+    for (const side of sides)
+      viewer.setValues(side, shown?.values[side] ?? null, shown?.range ?? null, shown?.map ?? 'viridis');
   };
-  app.results.watch((results) => [results.a.harmonic, results.b.harmonic, results.mesh], showValues);
-  app.state.watch((state) => [state.task], showValues);
+  app.results.watch(({ a, b, mesh }) => [a.harmonic, b.harmonic, a.check, b.check, mesh], showValues);
+  app.state.watch((state) => [state.task, state.mode], showValues);
+
+  const showDual = () => {
+    const { task, dual } = app.state.get();
+    const inDual = task === 'dual';
+    viewer.fade(inDual ? 0.45 : 0, inDual ? (dual.primal ? 0.4 : 0) : 1);
+    viewer.showLayer('dualEdges', inDual && dual.edges);
+    viewer.showLayer('dualVertices', inDual && dual.edges);
+    viewer.showLayer('edgePoints', inDual && dual.points);
+  };
+  app.state.watch((state) => [state.task, state.dual], showDual);
+  app.results.watch((results) => [results.mesh], showDual);
+
+  app.results.watch(
+    (results) => [results.place, results.mesh],
+    (place, _mesh) => {
+      for (const side of sides) {
+        const own = place?.side === side ? place.vertices : [];
+        const { positions } = app.results.get()[side];
+        // Of a face, all around.
+        const round = own.length > 2 ? [...own, ...own.slice(0, 1)] : own;
+        viewer.setLayer(side, 'place', chain(positions, round, 0.3 * viewer.meanEdge));
+      }
+      const [vertex] = place?.vertices ?? [];
+      // After the card has come into view where there is room for one.
+      if (place && vertex !== undefined) requestAnimationFrame(() => viewer.turnTo(place.side, vertex));
+    },
+  );
 
   const showMarks = () => {
     const { task, selected, harmonic } = app.state.get();
@@ -65,13 +96,16 @@ export function bindViewer(app: App, viewer: Viewer): void {
       const outside = task === 'harmonic' && own && typeof own !== 'string' ? own.outside : [];
       viewer.setMarks(side, [
         { mark: Mark.hovered, vertices: results.hovered === null ? [] : [results.hovered] },
-        { mark: Mark.selected, vertices: selected === null ? [] : [selected] },
+        {
+          mark: Mark.selected,
+          vertices: results.place?.side === side ? results.place.vertices : selected === null ? [] : [selected],
+        },
         { mark: Mark.outside, vertices: outside },
         { mark: Mark.pin, vertices: pins.map((pin) => pin.vertex) },
       ]);
     }
   };
-  app.results.watch((results) => [results.a.harmonic, results.b.harmonic, results.hovered, results.mesh], showMarks);
+  app.results.watch(({ a, b, hovered, place, mesh }) => [a.harmonic, b.harmonic, hovered, place, mesh], showMarks);
   app.state.watch((state) => [state.task, state.selected, state.harmonic.pins], showMarks);
   app.state.watch(
     (state) => [state.task, state.harmonic.pins],
@@ -82,6 +116,31 @@ export function bindViewer(app: App, viewer: Viewer): void {
   app.state.watch((state) => [state.theme], recolour);
   for (const query of ['(prefers-color-scheme: dark)', '(forced-colors: active)'])
     matchMedia(query).addEventListener('change', recolour);
+}
+
+function bindDual(app: App, viewer: Viewer, side: Side): void {
+  app.results.watch(
+    (results) => [results[side].dual, results.mesh],
+    (answer, _mesh) => {
+      const dual = known(answer);
+      const layers = dual ? dualLayers(dual, viewer.meanEdge) : {};
+      for (const name of ['dualEdges', 'dualVertices', 'edgePoints'] as const)
+        viewer.setLayer(side, name, layers[name] ?? null);
+    },
+  );
+}
+
+/** Weighted vertices, where the operator takes weights. */
+function bindWeights(app: App, viewer: Viewer, side: Side): void {
+  const show = () => {
+    const { sides: choices, vertexWeights } = app.state.get();
+    const weights = operatorOf(choices[side]).takesVertexWeights ? vertexWeights[side] : {};
+    const { positions } = app.results.get()[side];
+    const normalOf = (vertex: number) => viewer.normalOf(side, vertex);
+    viewer.setLayer(side, 'weights', weightCircles(positions, weights, normalOf, 0.3 * viewer.meanEdge));
+  };
+  app.state.watch((state) => [state.sides[side].operator, state.vertexWeights[side]], show);
+  app.results.watch((results) => [results[side].positions, results.mesh], show);
 }
 
 /** Shapes made here stand on the plane z = 0; in files y is mostly up, except where the mesh is a relief over x and y. */
@@ -124,7 +183,7 @@ export function bindInput(app: App, viewer: Viewer, views: Record<Side, HTMLElem
     view.addEventListener('keydown', (event) => {
       const { task, selected } = app.state.get();
       if (event.key === 'Enter' && task === 'harmonic' && selected !== null) app.touchPin(selected);
-      else if (event.key === ' ' && task === 'smooth') app.results.get().playing ? app.pause() : void app.play();
+      else if (event.key === ' ' && task === 'smooth') app.smoothing.toggle();
       else return;
       event.preventDefault();
     });

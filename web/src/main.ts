@@ -7,7 +7,7 @@ import { Viewer } from './scene/viewer.js';
 import { presets, sides } from './state.js';
 
 const app = new App(createClient());
-const ready = app.makePreset(presets[0]?.id ?? '');
+const ready = app.meshes.preset(presets[0]?.id ?? '');
 const { canvas, views, help } = page(app, document.getElementById('app') as HTMLElement);
 bindKeys(app, help);
 

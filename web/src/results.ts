@@ -1,4 +1,4 @@
-import type { Harmonic, Matrices, Mesh, Shape, Side, Weights } from './polylap.js';
+import type { Check, ConvergenceStudy, Dual, Harmonic, Matrices, Mesh, Shape, Side, Weights } from './polylap.js';
 
 /** What the core said about one side's surface. A string stands where it said why not. */
 export interface SideResults {
@@ -10,11 +10,19 @@ export interface SideResults {
   weights: Weights | string | null;
   harmonic: Harmonic | string | null;
   matrices: Matrices | string | null;
+  check: Check | string | null;
+  dual: Dual | string | null;
+  /** Of the operator, on meshes of the study's own. */
+  study: readonly ConvergenceStudy[] | string | null;
 }
 
 export interface Message {
   title: string;
   text: string;
+  /** One line each. */
+  list?: readonly string[];
+  /** What can be done about it. */
+  offer?: { label: string; act: () => unknown };
 }
 
 export interface Busy {
@@ -23,21 +31,41 @@ export interface Busy {
   fraction: number | null;
 }
 
+/** Where a measurement went wrong. */
+export interface Place {
+  side: Side;
+  vertices: readonly number[];
+}
+
 export interface Results {
   mesh: Mesh | null;
   a: SideResults;
   b: SideResults;
   error: Message | null;
+  /** What was done to a file on its way in. */
+  report: Message | null;
   /** The status line. */
   notice: string;
   busy: Busy | null;
   playing: boolean;
   /** Vertex under the pointer. */
   hovered: number | null;
+  /** What the camera was turned to. */
+  place: Place | null;
 }
 
 export function freshSide(positions: Float32Array = new Float32Array(0)): SideResults {
-  return { step: 0, positions, shape: null, weights: null, harmonic: null, matrices: null };
+  return {
+    step: 0,
+    positions,
+    shape: null,
+    weights: null,
+    harmonic: null,
+    matrices: null,
+    check: null,
+    dual: null,
+    study: null,
+  };
 }
 
 export function noResults(): Results {
@@ -46,35 +74,16 @@ export function noResults(): Results {
     a: freshSide(),
     b: freshSide(),
     error: null,
+    report: null,
     notice: 'Starting …',
     busy: null,
     playing: false,
     hovered: null,
+    place: null,
   };
 }
 
-export interface Range {
-  min: number;
-  max: number;
-  /** The one value everywhere, in the middle of the range. */
-  single: number | null;
-}
-
-/** Values that differ by less, beside the largest of them, differ by rounding. */
-const rounding = 1e-9;
-
-/** One range for both sides, so that equal colours are equal values; null when there is nothing to show. */
-export function sharedRange(results: Pick<Results, Side>): Range | null {
-  const shown = [results.a.harmonic, results.b.harmonic].filter(
-    (harmonic) => harmonic !== null && typeof harmonic !== 'string',
-  );
-  if (shown.length === 0) return null;
-  const min = Math.min(...shown.map((harmonic) => harmonic.min));
-  const max = Math.max(...shown.map((harmonic) => harmonic.max));
-  const size = Math.max(...shown.flatMap(({ fixedMin, fixedMax }) => [Math.abs(fixedMin), Math.abs(fixedMax)]));
-  if (max - min > rounding * size) return { min, max, single: null };
-  // What was pinned, rather than what rounding made of it.
-  const single = shown[0]?.fixedMin ?? min;
-  const reach = size || 1;
-  return { min: single - reach, max: single + reach, single };
+/** What is there, of something that may be unknown or refused. */
+export function known<T extends object>(answer: T | string | null): T | null {
+  return typeof answer === 'string' ? null : answer;
 }

@@ -1,9 +1,11 @@
-import type { OperatorInfo, ShapeSpec, Side } from './polylap.js';
-import { operators } from './polylap.js';
+import type { MakerInfo, OperatorInfo, PropertyId, ShapeSpec, Side } from './polylap.js';
+import { conversions, operators, shapes } from './polylap.js';
 
-export type Task = 'weights' | 'smooth' | 'harmonic';
+export type Task = 'weights' | 'smooth' | 'harmonic' | 'dual' | 'check';
 export type Theme = 'auto' | 'light' | 'dark';
 export const sides: readonly Side[] = ['a', 'b'];
+
+export type Parameters = Readonly<Record<string, number | string>>;
 
 export interface Pin {
   vertex: number;
@@ -13,19 +15,39 @@ export interface Pin {
 /** An operator and the parameters that differ from the table's initial ones or were touched. */
 export interface Choice {
   operator: string;
-  parameters: Readonly<Record<string, number | string>>;
+  parameters: Parameters;
 }
 
-export type Source = { kind: 'preset'; id: string } | { kind: 'file'; name: string };
+/** A line of the table of shapes or of conversions, with its parameters. */
+export interface Made {
+  id: string;
+  parameters: Parameters;
+}
+
+/** Vertex → ω, length²; of the others it is 0. */
+export type VertexWeights = Readonly<Record<number, number>>;
+
+/** Where the mesh on screen came from, and what was made of it since. */
+export type Source = (
+  | { kind: 'preset'; id: string }
+  | { kind: 'shape'; shape: Made }
+  | { kind: 'file'; name: string; repaired?: boolean }
+) & { changes?: readonly Made[] };
 
 /** Everything a person has chosen; plain data, so that it can be stored and sent. What was computed from it is in results.ts. */
 export interface State {
-  version: 1;
+  version: 2;
   task: Task;
   source: Source;
   sides: Readonly<Record<Side, Choice>>;
+  /** For the operators that take them. */
+  vertexWeights: Readonly<Record<Side, VertexWeights>>;
   smooth: { timeH2: number; rebuild: boolean };
   harmonic: { pins: readonly Pin[]; value: number };
+  /** μ, and which layers are drawn. */
+  dual: { mu: number; primal: boolean; edges: boolean; points: boolean };
+  /** Which kernel mode colours a side. */
+  mode: Readonly<Record<Side, number | null>>;
   /** In which tasks negative weights are drawn on the meshes. */
   negativeShown: Readonly<Record<Task, boolean>>;
   /** The vertex whose numbers are read. */
@@ -53,15 +75,29 @@ export const presets: readonly Preset[] = [
 /** What the page opens with: the only place that names operators. */
 const openingPair: Readonly<Record<Side, string>> = { a: 'alexa-wardetzky', b: 'planar' };
 
+/** The one property that no single mesh can show: there is a study for it. */
+export const studied: PropertyId = 'convergent';
+
+/** What belongs to one mesh, and goes with it. */
+export const forAnotherMesh = (state: State) => ({
+  selected: null,
+  vertexWeights: { a: {}, b: {} },
+  mode: { a: null, b: null },
+  harmonic: { ...state.harmonic, pins: [] },
+});
+
 export function initialState(): State {
   return {
-    version: 1,
+    version: 2,
     task: 'weights',
     source: { kind: 'preset', id: 'noisy-torus' },
     sides: { a: initialChoice(openingPair.a), b: initialChoice(openingPair.b) },
+    vertexWeights: { a: {}, b: {} },
     smooth: { timeH2: 0.02, rebuild: true },
     harmonic: { pins: [], value: 1 },
-    negativeShown: { weights: true, smooth: true, harmonic: false },
+    dual: { mu: 0, primal: true, edges: true, points: true },
+    mode: { a: null, b: null },
+    negativeShown: { weights: true, smooth: true, harmonic: false, dual: false, check: false },
     selected: null,
     shown: 'a',
     theme: 'auto',
@@ -76,9 +112,11 @@ export function operatorOf({ operator }: { operator: string }): OperatorInfo {
 
 export function initialChoice(operator: string): Choice {
   const entry = operatorOf({ operator });
-  const parameters: Record<string, number | string> = {};
-  for (const { id, initial } of entry.parameters) parameters[id] = initial;
-  return { operator: entry.id, parameters };
+  return { operator: entry.id, parameters: initialParameters(entry) };
+}
+
+export function initialParameters({ parameters }: Pick<MakerInfo, 'parameters'>): Parameters {
+  return Object.fromEntries(parameters.map(({ id, initial }) => [id, initial]));
 }
 
 /** Sets, changes or (with null) removes the pin at a vertex. */
@@ -88,4 +126,23 @@ export function withPin(pins: readonly Pin[], vertex: number, value: number | nu
   const at = pins.findIndex((pin) => pin.vertex === vertex);
   if (at < 0) return [...rest, { vertex, value }];
   return pins.map((pin) => (pin.vertex === vertex ? { vertex, value } : pin));
+}
+
+/** Sets the weight of a vertex; 0 takes it away. */
+export function withWeight(weights: VertexWeights, vertex: number, weight: number): VertexWeights {
+  const { [vertex]: _, ...rest } = weights;
+  return weight === 0 ? rest : { ...rest, [vertex]: weight };
+}
+
+/** What the mesh is called: its origin, then what was made of it. */
+export function nameOf(source: Source): string {
+  const label = (table: readonly MakerInfo[], id: string) => table.find((entry) => entry.id === id)?.label ?? id;
+  const changes = (source.changes ?? []).map(({ id }) => label(conversions, id).toLowerCase());
+  return [originOf(source), ...changes].join(' · ');
+
+  function originOf(origin: Source): string {
+    if (origin.kind === 'file') return origin.repaired ? `${origin.name} · repaired` : origin.name;
+    if (origin.kind === 'shape') return label(shapes, origin.shape.id);
+    return presets.find(({ id }) => id === origin.id)?.label ?? origin.id;
+  }
 }

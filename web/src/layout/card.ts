@@ -4,6 +4,7 @@ import { count, exact, plural, real } from '../format.js';
 import { type Mesh, operators, type Side } from '../polylap.js';
 import { initialChoice, operatorOf } from '../state.js';
 import { button, menu } from './controls.js';
+import { formulaParts } from './formula.js';
 import { parameterControls } from './parameters.js';
 
 /** One side: operator, formula, the number of negative weights, the view of its surface, parameters, figures. */
@@ -23,7 +24,7 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
   );
   const caption = h('span', { class: 'count-name' });
   const share = h('span', { class: 'count-share' });
-  const again = button('Compute', () => app.update(side), { class: 'quiet' });
+  const again = button('Compute', () => app.answers.update(side), { class: 'quiet' });
   const view = h('div', {
     class: 'view',
     tabindex: 0,
@@ -49,8 +50,7 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
       const operator = operatorOf(app.state.get().sides[side]);
       choose.value = operator.id;
       choose.title = `${operator.summary}\n${operator.citation}`;
-      // From the operator table, made when the page was built.
-      formula.innerHTML = operator.formulaMathml;
+      formula.replaceChildren(...formulaParts(operator.formulaMathml));
       view.setAttribute(
         'aria-label',
         `Mesh ${letter}, ${operator.label}. Arrow keys turn it, plus and minus zoom, 0 shows all of it.`,

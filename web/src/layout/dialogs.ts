@@ -1,5 +1,6 @@
 import type { App } from '../app.js';
 import { h } from '../dom.js';
+import { formatOfText } from '../mesh-text.js';
 import { button } from './controls.js';
 
 const shortcuts: readonly (readonly [string, string])[] = [
@@ -11,7 +12,7 @@ const shortcuts: readonly (readonly [string, string])[] = [
   ['Click', 'select a vertex; pin it in Harmonic'],
   ['Enter', 'pin or unpin the selected vertex (in Harmonic, when a view has the focus)'],
   ['Space', 'play or pause (in Smooth, when a view has the focus)'],
-  ['Ctrl V', 'open OBJ text from the clipboard'],
+  ['Ctrl V', 'open the text of an OBJ, OFF, PLY or STL file from the clipboard'],
   ['?', 'this help'],
 ];
 
@@ -24,7 +25,7 @@ export function helpDialog(): HTMLDialogElement {
       'p',
       {},
       'Each side builds a discrete Laplace operator from the same polygons and counts its negative weights, pair by ordered pair. A negative weight breaks the maximum principle: ',
-      'see it happen in Harmonic, and see what each operator makes of the surface in Smooth. Everything is computed on your machine; nothing is uploaded. Vertices and faces count from 0, lines of a file from 1.',
+      'see it happen in Harmonic, what each operator makes of the surface in Smooth, and what else it promises and keeps in Check. Everything is computed on your machine; nothing is uploaded. Vertices and faces count from 0, lines of a file from 1.',
     ),
     h('dl', { class: 'shortcuts' }, ...shortcuts.flatMap(([keys, what]) => [h('dt', {}, keys), h('dd', {}, what)])),
     h(
@@ -36,7 +37,7 @@ export function helpDialog(): HTMLDialogElement {
   return dialog;
 }
 
-/** Takes OBJ text; stays open with the text and what is wrong with it until it opens. */
+/** Takes the text of a mesh file; stays open with the text and what is wrong with it until it opens. */
 export function pasteDialog(app: App): HTMLDialogElement {
   const text = h('textarea', {
     id: 'paste-text',
@@ -45,18 +46,20 @@ export function pasteDialog(app: App): HTMLDialogElement {
     placeholder: 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4',
   });
   const error = h('p', { class: 'dialog-error', role: 'alert' });
+  const close = () => {
+    text.value = '';
+    dialog.close();
+  };
+  const offer = button('', async () => {
+    await app.results.get().error?.offer?.act();
+    if (!app.results.get().error) close();
+  });
   const open = button(
     'Open',
     async () => {
       error.textContent = '';
-      const wrong = await app.open(new Blob([text.value]), 'pasted.obj');
-      if (wrong) {
-        error.textContent = wrong.text;
-        app.results.set({ error: null });
-        return;
-      }
-      text.value = '';
-      dialog.close();
+      const format = formatOfText(text.value) ?? 'obj';
+      if (!(await app.meshes.open(new Blob([text.value]), `pasted.${format}`))) close();
     },
     { class: 'primary', 'data-action': 'open-pasted' },
   );
@@ -64,15 +67,32 @@ export function pasteDialog(app: App): HTMLDialogElement {
     'dialog',
     { class: 'dialog', 'aria-labelledby': 'paste-title' },
     h('h2', { id: 'paste-title' }, 'Paste a mesh'),
-    h('label', { for: 'paste-text' }, 'OBJ text: lines v x y z, and f with the vertices of a face, any number of them'),
+    h(
+      'label',
+      { for: 'paste-text' },
+      'OBJ text: lines v x y z, and f with the vertices of a face, any number of them; or the text of an OFF, PLY or STL file',
+    ),
     text,
     error,
     h(
       'div',
       { class: 'buttons end' },
+      offer,
       button('Close', () => dialog.close()),
       open,
     ),
   );
+  // Behind the dialog the message of the page cannot be reached.
+  app.results.watch(
+    (results) => [results.error],
+    (message) => {
+      error.textContent = dialog.open && message ? message.text : '';
+      offer.hidden = !message?.offer;
+      offer.textContent = message?.offer?.label ?? '';
+    },
+  );
+  dialog.addEventListener('close', () => {
+    if (error.textContent) app.results.set({ error: null });
+  });
   return dialog;
 }

@@ -1,6 +1,7 @@
 import type { App } from '../app.js';
 import { h } from '../dom.js';
-import { presets, type Theme } from '../state.js';
+import { shapes } from '../polylap.js';
+import { initialParameters, nameOf, presets, type Source, type Theme } from '../state.js';
 import { button, menu } from './controls.js';
 
 const themes: readonly (readonly [Theme, string])[] = [
@@ -9,34 +10,46 @@ const themes: readonly (readonly [Theme, string])[] = [
   ['dark', 'Dark'],
 ];
 
-const opened = 'opened';
+/** The entry for what is in neither list: a file, a shape with other parameters, a mesh made of a mesh. */
+const other = 'other';
+const shapePrefix = 'shape:';
 
-export function header(app: App, actions: { open: () => void; paste: () => void; help: () => void }): HTMLElement {
-  const meshes = menu(
-    'Mesh',
-    presets.map(({ id, label }) => [id, label] as const),
-    (id) => void app.makePreset(id),
-    { class: 'mesh-menu' },
+const menuValue = (source: Source) => (source.kind === 'preset' && !source.changes ? source.id : other);
+
+export function header(
+  app: App,
+  actions: { open: () => void; paste: () => void; make: () => void; help: () => void },
+): HTMLElement {
+  const group = (label: string, entries: readonly (readonly [string, string])[]) =>
+    h('optgroup', { label }, ...entries.map(([value, text]) => h('option', { value }, text)));
+  const pick = (value: string) => {
+    const shape = shapes.find(({ id }) => value === shapePrefix + id);
+    if (shape) void app.meshes.make({ id: shape.id, parameters: initialParameters(shape) });
+    else void app.meshes.preset(value);
+  };
+  const meshes = menu('Mesh', [], pick, { class: 'mesh-menu' });
+  meshes.append(
+    group(
+      'Examples',
+      presets.map(({ id, label }) => [id, label] as const),
+    ),
+    group(
+      'Shapes',
+      shapes.map(({ id, label }) => [shapePrefix + id, label] as const),
+    ),
   );
   const theme = menu('Colours', themes, (value) => app.state.set({ theme: value as Theme }), { class: 'theme-menu' });
-  // The opened file is in the menu as long as it is on screen.
-  app.state.watch(
-    (state) => [state.source],
-    (source) => {
-      meshes.querySelector(`[value=${opened}]`)?.remove();
-      if (source.kind === 'file') meshes.prepend(h('option', { value: opened }, source.name));
-      meshes.title = source.kind === 'file' ? source.name : '';
-      meshes.value = source.kind === 'file' ? opened : source.id;
-    },
-  );
+  const show = () => {
+    const { source } = app.state.get();
+    const value = menuValue(source);
+    meshes.querySelector(`[value=${other}]`)?.remove();
+    if (value === other) meshes.prepend(h('option', { value }, nameOf(source)));
+    meshes.title = value === other ? nameOf(source) : '';
+    meshes.value = value;
+  };
+  app.state.watch((state) => [state.source], show);
   // A mesh that could not be made leaves the menu as it was.
-  app.results.watch(
-    (results) => [results.error],
-    () => {
-      const { source } = app.state.get();
-      meshes.value = source.kind === 'file' ? opened : source.id;
-    },
-  );
+  app.results.watch((results) => [results.error], show);
   app.state.watch(
     (state) => [state.theme],
     (value) => {
@@ -51,6 +64,7 @@ export function header(app: App, actions: { open: () => void; paste: () => void;
     h('h1', {}, 'polylap'),
     h('p', { class: 'tagline' }, 'Laplacians on polygon meshes, side by side'),
     meshes,
+    button('Make…', actions.make, { 'data-action': 'make', title: 'Shapes with parameters, and changes to the mesh' }),
     h('span', { class: 'spring' }),
     button('Open…', actions.open, { 'data-action': 'open' }),
     button('Paste…', actions.paste, { 'data-action': 'paste' }),

@@ -1,6 +1,6 @@
 import type { App } from '../app.js';
 import { h, isTyping } from '../dom.js';
-import { looksLikeObj } from '../obj-text.js';
+import { formatOf, formatOfText, formats } from '../mesh-text.js';
 
 /** Meshes come in by file picker, by drop anywhere, and by paste. Returns the way to the picker. */
 export function intake(app: App, page: HTMLElement): { element: HTMLInputElement; pick: () => void } {
@@ -9,10 +9,10 @@ export function intake(app: App, page: HTMLElement): { element: HTMLInputElement
     class: 'unseen',
     tabindex: -1,
     'aria-label': 'Mesh file',
-    accept: '.obj,model/obj',
+    accept: formats.map((format) => `.${format},model/${format}`).join(','),
     onchange: () => {
       const file = element.files?.[0];
-      if (file) void app.open(file, file.name);
+      if (file) void app.meshes.open(file, file.name);
       // So that choosing the same file again counts as a change.
       element.value = '';
     },
@@ -44,18 +44,20 @@ export function intake(app: App, page: HTMLElement): { element: HTMLInputElement
 
   function take(data: DataTransfer | null, how: string): void {
     const text = data?.getData('text/plain') ?? '';
+    const format = formatOfText(text);
     if (data && data.files.length > 0) void openOne(app, [...data.files]);
-    else if (looksLikeObj(text)) void app.open(new Blob([text]), `${how}.obj`);
-    else if (text) app.say(`The ${how} text is no OBJ text: no line starts with v and a number.`);
+    else if (format) void app.meshes.open(new Blob([text]), `${how}.${format}`);
+    else if (text)
+      app.say(`The ${how} text is no mesh: no OBJ text (no line starts with v and a number), OFF, PLY or STL.`);
   }
   return { element, pick: () => element.click() };
 }
 
 /** Opens the first mesh among files, and says what it left. */
 async function openOne(app: App, files: readonly File[]): Promise<void> {
-  const chosen = files.find(({ name }) => /\.obj$/i.test(name)) ?? files[0];
+  const chosen = files.find(({ name }) => formatOf(name)) ?? files[0];
   if (!chosen) return;
-  await app.open(chosen, chosen.name);
+  await app.meshes.open(chosen, chosen.name);
   const left = files.filter((file) => file !== chosen).map(({ name }) => name);
   const { source } = app.state.get();
   if (left.length === 0 || source.kind !== 'file' || source.name !== chosen.name) return;

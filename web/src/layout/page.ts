@@ -2,13 +2,17 @@ import type { App } from '../app.js';
 import { h, put } from '../dom.js';
 import { count } from '../format.js';
 import type { Side } from '../polylap.js';
+import { known } from '../results.js';
 import { sides, type Task } from '../state.js';
 import { card } from './card.js';
-import { button } from './controls.js';
+import { checkPanel } from './check-panel.js';
 import { helpDialog, pasteDialog } from './dialogs.js';
+import { dualPanel } from './dual-panel.js';
 import { harmonicPanel } from './harmonic-panel.js';
 import { header } from './header.js';
 import { intake } from './intake.js';
+import { makeDialog } from './make-dialog.js';
+import { messageLine } from './message-line.js';
 import { smoothPanel, transport } from './smooth-panel.js';
 import { statusLine } from './status.js';
 import { tabs } from './tabs.js';
@@ -24,6 +28,7 @@ export interface Page {
 export function page(app: App, root: HTMLElement): Page {
   const help = helpDialog();
   const paste = pasteDialog(app);
+  const make = makeDialog(app);
   const files = intake(app, root);
   const cards = { a: card(app, 'a'), b: card(app, 'b') };
   const canvas = h('canvas', { class: 'scene', 'aria-hidden': 'true' });
@@ -31,6 +36,8 @@ export function page(app: App, root: HTMLElement): Page {
     weights: weightsPanel(app),
     smooth: smoothPanel(app),
     harmonic: harmonicPanel(app),
+    dual: dualPanel(app),
+    check: checkPanel(app),
   };
   const tasks = tabs<Task>(
     'Task',
@@ -38,12 +45,20 @@ export function page(app: App, root: HTMLElement): Page {
       { id: 'weights', label: 'Weights', panel: panels.weights },
       { id: 'smooth', label: 'Smooth', panel: panels.smooth },
       { id: 'harmonic', label: 'Harmonic', panel: panels.harmonic },
+      { id: 'dual', label: 'Dual', panel: panels.dual },
+      { id: 'check', label: 'Check', panel: panels.check },
     ],
     (task) => app.setTask(task),
   );
   const narrowTransport = h('div', { class: 'narrow-transport' }, transport(app));
   const stage = h('div', { class: 'stage' }, cards.a.element, cards.b.element, canvas);
-  const masthead = header(app, { open: files.pick, paste: () => paste.showModal(), help: () => help.showModal() });
+  const masthead = header(app, {
+    open: files.pick,
+    paste: () => paste.showModal(),
+    make: () => make.showModal(),
+    help: () => help.showModal(),
+  });
+  const leave = () => tasks.element.querySelector<HTMLElement>('[aria-selected=true]')?.focus();
   masthead.append(files.element);
   root.append(
     masthead,
@@ -51,7 +66,7 @@ export function page(app: App, root: HTMLElement): Page {
       'section',
       { class: 'task-line', 'aria-label': 'Task and messages' },
       tasks.element,
-      errorLine(app, () => tasks.element.querySelector<HTMLElement>('[aria-selected=true]')?.focus()),
+      h('div', { class: 'messages' }, messageLine(app, 'error', leave), messageLine(app, 'report', leave)),
     ),
     h(
       'main',
@@ -64,6 +79,7 @@ export function page(app: App, root: HTMLElement): Page {
     statusLine(app),
     help,
     paste,
+    make,
   );
   app.state.watch(
     (state) => [state.task],
@@ -95,11 +111,11 @@ function sideSwitch(app: App): HTMLElement {
     app.results.watch(
       (results) => [results[side].weights],
       (weights) => {
-        const known = weights !== null && typeof weights !== 'string';
-        put(number, known ? count(weights.negativeOrdered) : '–', known ? weights.negativeOrdered : null);
+        const negative = known(weights)?.negativeOrdered ?? null;
+        put(number, negative === null ? '–' : count(negative), negative);
         element.setAttribute(
           'aria-label',
-          `Side ${side.toUpperCase()}, ${known ? weights.negativeOrdered : 'unknown number of'} negative weights`,
+          `Side ${side.toUpperCase()}, ${negative ?? 'unknown number of'} negative weights`,
         );
       },
     );
@@ -110,29 +126,4 @@ function sideSwitch(app: App): HTMLElement {
     return element;
   });
   return h('div', { class: 'side-switch', role: 'group', 'aria-label': 'Side shown' }, ...buttons);
-}
-
-/** What went wrong; stays until it is dismissed or something succeeds. */
-function errorLine(app: App, leave: () => void): HTMLElement {
-  const dismiss = () => {
-    app.results.set({ error: null });
-    leave();
-  };
-  const title = h('strong', {});
-  const text = h('span', {});
-  const element = h(
-    'div',
-    { class: 'error', role: 'alert' },
-    h('p', {}, title, ' ', text),
-    button('Dismiss', dismiss, { 'data-action': 'dismiss' }),
-  );
-  app.results.watch(
-    (results) => [results.error],
-    (error) => {
-      element.hidden = error === null;
-      title.textContent = error ? `${error.title}.` : '';
-      text.textContent = error?.text ?? '';
-    },
-  );
-  return element;
 }

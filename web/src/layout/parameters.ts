@@ -1,39 +1,35 @@
 import type { App } from '../app.js';
 import { h } from '../dom.js';
 import { words } from '../format.js';
-import type { Side } from '../polylap.js';
-import { operatorOf } from '../state.js';
+import type { Parameter, Side } from '../polylap.js';
+import { operatorOf, type Parameters } from '../state.js';
 import { menu, numberField, slider } from './controls.js';
 
-/** The parameters of a side's operator, one row each, as the operator table describes them. */
-export function parameterControls(app: App, side: Side): HTMLElement {
-  const element = h('div', { class: 'parameters' });
-  let setters: Record<string, (value: number | string) => void> = {};
-  app.state.watch(
-    (state) => [state.sides[side].operator],
-    () => {
-      setters = {};
-      element.replaceChildren(...operatorOf(app.state.get().sides[side]).parameters.map(row));
-    },
-  );
-  app.state.watch(
-    (state) => [state.sides[side].parameters],
-    (parameters) => {
-      for (const [id, value] of Object.entries(parameters)) setters[id]?.(value);
-    },
-  );
-  return element;
+interface Rows {
+  elements: HTMLElement[];
+  show: (values: Parameters) => void;
+}
 
-  type Parameter = ReturnType<typeof operatorOf>['parameters'][number];
-  function row(parameter: Parameter): HTMLElement {
+/**
+ * One row for each parameter, as its table describes it.
+ * @param whose ends the spoken names, e.g. " of A"
+ */
+export function parameterRows(
+  parameters: readonly Parameter[],
+  whose: string,
+  set: (id: string, value: number | string) => void,
+  refuse: (why: string) => void,
+): Rows {
+  const setters: Record<string, (value: number | string) => void> = {};
+  const row = (parameter: Parameter): HTMLElement => {
     const { id, label, hint } = parameter;
-    const name = `${label} of ${side.toUpperCase()}`;
-    const set = (value: number | string) => app.setParameter(side, id, value);
+    const name = `${label}${whose}`;
+    const take = (value: number | string) => set(id, value);
     const hintElement = hint ? h('span', { class: 'hint', title: hint }, hint) : null;
     const rowOf = (...controls: HTMLElement[]) =>
       h(
         'div',
-        { class: 'parameter', 'data-parameter': id },
+        { class: `parameter ${parameter.kind}`, 'data-parameter': id },
         h('span', { class: 'parameter-name', 'aria-hidden': 'true' }, label),
         ...controls,
         hintElement,
@@ -42,29 +38,59 @@ export function parameterControls(app: App, side: Side): HTMLElement {
       const choice = menu(
         name,
         parameter.choices.map((value) => [value, words(value)] as const),
-        set,
+        take,
       );
       setters[id] = (value) => {
         choice.value = String(value);
       };
-      setters[id](app.state.get().sides[side].parameters[id] ?? '');
       return rowOf(choice);
     }
     const { min, max, sliderMax, step } = parameter;
-    const track = slider({ label: name, min, max: sliderMax, step, onInput: set });
+    const track = slider({ label: name, min, max: sliderMax, step, onInput: take });
     const field = numberField({
       label: `${name}, value`,
       min,
       max,
       step,
-      onChange: set,
-      onRefuse: (why) => app.say(why),
+      integer: parameter.kind === 'integer',
+      onChange: take,
+      onRefuse: refuse,
     });
     setters[id] = (value) => {
       track.set(Number(value), String(value));
       field.set(Number(value));
     };
-    setters[id](app.state.get().sides[side].parameters[id] ?? parameter.initial);
     return rowOf(track.element, field.element);
-  }
+  };
+  const elements = parameters.map(row);
+  return {
+    elements,
+    show: (values) => {
+      for (const { id, initial } of parameters) setters[id]?.(values[id] ?? initial);
+    },
+  };
+}
+
+/** The parameters of a side's operator. */
+export function parameterControls(app: App, side: Side): HTMLElement {
+  const element = h('div', { class: 'parameters' });
+  let rows: Rows | null = null;
+  app.state.watch(
+    (state) => [state.sides[side].operator],
+    () => {
+      const { parameters } = operatorOf(app.state.get().sides[side]);
+      rows = parameterRows(
+        parameters,
+        ` of ${side.toUpperCase()}`,
+        (id, value) => app.setParameter(side, id, value),
+        (why) => app.say(why),
+      );
+      element.replaceChildren(...rows.elements);
+    },
+  );
+  app.state.watch(
+    (state) => [state.sides[side].parameters],
+    (parameters) => rows?.show(parameters),
+  );
+  return element;
 }

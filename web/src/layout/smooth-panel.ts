@@ -9,12 +9,12 @@ const [shortest, longest] = [1e-3, 1e2];
 
 /** Play, Step, Reset: in the panel, and above the meshes where the panel is out of sight. */
 export function transport(app: App): HTMLElement {
-  const play = button('Play', () => (app.results.get().playing ? app.pause() : void app.play()), {
+  const play = button('Play', () => app.smoothing.toggle(), {
     class: 'primary',
     'data-action': 'play',
   });
-  const step = button('Step', () => void app.step(), { 'data-action': 'step' });
-  const reset = button('Reset', () => void app.reset(), { 'data-action': 'reset' });
+  const step = button('Step', () => void app.smoothing.step(), { 'data-action': 'step' });
+  const reset = button('Reset', () => void app.smoothing.reset(), { 'data-action': 'reset' });
   app.results.watch(
     (results) => [results.playing],
     (playing) => {
@@ -27,7 +27,7 @@ export function transport(app: App): HTMLElement {
 
 /** Implicit smoothing on both sides in step. */
 export function smoothPanel(app: App): HTMLElement {
-  const setTime = (timeH2: number) => app.setSmooth({ timeH2 });
+  const setTime = (timeH2: number) => app.smoothing.set({ timeH2 });
   const track = slider({
     label: 'Time step, in mean squared edge lengths',
     min: Math.log10(shortest),
@@ -46,7 +46,7 @@ export function smoothPanel(app: App): HTMLElement {
   const rebuild = h('input', {
     type: 'checkbox',
     'data-field': 'rebuild',
-    onchange: () => app.setSmooth({ rebuild: rebuild.checked }),
+    onchange: () => app.smoothing.set({ rebuild: rebuild.checked }),
   });
   const readouts = sideTable('Surfaces', [
     { id: 'step', name: 'step' },

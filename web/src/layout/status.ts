@@ -1,8 +1,8 @@
 import type { App } from '../app.js';
-import { viridis } from '../colour-maps.js';
+import { type ColourMap, colourMap } from '../colour-maps.js';
+import { colouring } from '../colouring.js';
 import { h, put } from '../dom.js';
 import { count, exact } from '../format.js';
-import { sharedRange } from '../results.js';
 import { button } from './controls.js';
 
 /** The line at the bottom: what happened, what is under way, and the legend that both sides share. */
@@ -33,7 +33,7 @@ export function statusLine(app: App): HTMLElement {
 /** That the surfaces are smoothed ones, in the tasks that do not say so themselves, and the way back. */
 function progressed(app: App): HTMLElement {
   const steps = h('span', { 'data-readout': 'steps' });
-  const reset = button('Reset', () => void app.reset(), { class: 'quiet', 'data-action': 'reset-quietly' });
+  const reset = button('Reset', () => void app.smoothing.reset(), { class: 'quiet', 'data-action': 'reset-quietly' });
   const element = h('div', { class: 'progressed' }, steps, ' · ', reset);
   const show = () => {
     const { a, b } = app.results.get();
@@ -65,8 +65,8 @@ function legend(app: App): HTMLElement {
   const low = h('output', { 'data-readout': 'range-min' });
   const high = h('output', { 'data-readout': 'range-max' });
   const ramp = h('canvas', { width: 256, height: 1, class: 'ramp', 'aria-hidden': 'true' });
-  const colours = viridis();
-  const paint = (single: boolean) => {
+  const paint = (map: ColourMap, single: boolean) => {
+    const colours = colourMap(map);
     const middle = colours.subarray(4 * 128, 4 * 129);
     const shown = single ? Uint8ClampedArray.from(colours, (_, k) => middle[k % 4] as number) : colours;
     ramp.getContext('2d')?.putImageData(new ImageData(new Uint8ClampedArray(shown), 256, 1), 0, 0);
@@ -87,14 +87,16 @@ function legend(app: App): HTMLElement {
     h('label', { class: 'legend-negative' }, negative, dashes, 'negative weight'),
   );
   const show = () => {
-    const range = sharedRange(app.results.get());
-    const coloured = app.state.get().task === 'harmonic' && range !== null;
-    values.hidden = !coloured;
-    if (!range) return;
+    const { task } = app.state.get();
+    const coloured = colouring(app.state.get(), app.results.get());
+    values.hidden = coloured === null;
+    if (!coloured) return;
+    const { range, map } = coloured;
     const single = range.single !== null;
     values.classList.toggle('single', single);
-    paint(single);
-    high.hidden = outside.hidden = single;
+    paint(map, single);
+    high.hidden = single;
+    outside.hidden = single || task !== 'harmonic';
     if (range.single !== null) {
       put(low, `${exact(range.single)} everywhere`, range.single);
       return;
@@ -102,7 +104,7 @@ function legend(app: App): HTMLElement {
     put(low, exact(range.min), range.min);
     put(high, exact(range.max), range.max);
   };
-  app.results.watch((results) => [results.a.harmonic, results.b.harmonic], show);
-  app.state.watch((state) => [state.task], show);
+  app.results.watch(({ a, b }) => [a.harmonic, b.harmonic, a.check, b.check], show);
+  app.state.watch((state) => [state.task, state.mode], show);
   return element;
 }

@@ -1,9 +1,12 @@
 import { h, put } from '../dom.js';
+import { button } from './controls.js';
 
 export interface Cell {
   text: string;
   value?: number | null;
   class?: string;
+  /** Makes the text a button. */
+  act?: () => void;
 }
 
 /** A table A | B whose rows stay where they are while their numbers change. */
@@ -33,6 +36,7 @@ export function sideTable(caption: string, rows: readonly { id: string; name: st
     const target = cells.get(id)?.[side === 'a' ? 0 : 1];
     if (!target) return;
     put(target, cell.text, cell.value);
+    if (cell.act) target.replaceChildren(button(cell.text, cell.act, { class: 'place' }));
     target.className = cell.class ?? '';
   };
   const rename = (id: string, name: string) => {

@@ -1,19 +1,21 @@
-import { type App, rowLimit } from '../app.js';
+import { rowLimit } from '../answers.js';
+import type { App } from '../app.js';
 import { h } from '../dom.js';
 import { count, plural, weight } from '../format.js';
-import { type Mesh, properties, type Side, type Weights } from '../polylap.js';
+import type { Mesh, Side, Weights } from '../polylap.js';
 import { wideLimit } from '../scene/lines.js';
 import { sparseRow } from '../sparse-row.js';
-import { operatorOf, sides } from '../state.js';
+import { sides } from '../state.js';
 import { stencil } from './stencil.js';
 import { sideTable } from './table.js';
 import { vertexField } from './vertex-field.js';
+import { vertexWeights } from './vertex-weights.js';
 
 const rowsShown = 24;
 /** As for the counts: what is smaller beside the diagonal has no sign. */
 const rounding = 1e-10;
 
-/** What the weights are: extremes, the row of the selected vertex, what the operators promise. */
+/** What the weights are: extremes, the row of the selected vertex, and weights of vertices where an operator takes them. */
 export function weightsPanel(app: App): HTMLElement {
   const extremes = sideTable('Weights', [
     { id: 'smallest', name: 'smallest' },
@@ -21,23 +23,11 @@ export function weightsPanel(app: App): HTMLElement {
   ]);
   const lines = h('p', { class: 'note' });
   const row = h('div', { class: 'row' });
-  const claims = sideTable(
-    'What the operators promise',
-    properties.map(({ id, label }) => ({ id, name: label })),
-    'brief',
-  );
   const element = h(
     'div',
     { class: 'panel-body' },
     h('section', {}, h('h2', {}, 'Weights ', h('i', {}, 'w'), h('sub', {}, 'ij')), extremes.element, lines),
-    h('section', {}, vertexField(app), row),
-    h(
-      'section',
-      {},
-      h('h2', {}, 'Promised by the operator'),
-      claims.element,
-      h('p', { class: 'note' }, 'planar: where faces are planar; triangles: on triangle meshes.'),
-    ),
+    h('section', {}, vertexField(app), vertexWeights(app), row),
   );
 
   for (const side of sides) {
@@ -55,13 +45,6 @@ export function weightsPanel(app: App): HTMLElement {
             class: minus ? 'negative' : '',
           });
         }
-      },
-    );
-    app.state.watch(
-      (state) => [state.sides[side].operator],
-      () => {
-        const promised = operatorOf(app.state.get().sides[side]).claims;
-        for (const { id } of properties) claims.set(id, side, { text: promised[id].where });
       },
     );
   }

@@ -126,19 +126,53 @@ export class LinkedCamera {
 
   /** A slow turn that comes to rest at home: depth shows itself once. */
   nudge(): void {
-    const began = performance.now();
-    const span = 1800;
-    let done = 0;
     const total = 0.22;
     this.turn(-total, 0);
+    this.glide(1800, total, 0);
+  }
+
+  /** Turns by angles within a time, in ms, slower and slower. */
+  private glide(span: number, theta: number, phi: number): void {
+    const began = performance.now();
+    let done = 0;
     const frame = (now: number) => {
       const t = Math.min(1, Math.max(0, (now - began) / span));
-      const reached = total * (1 - (1 - t) ** 3);
-      this.turn(reached - done, 0);
+      const reached = 1 - (1 - t) ** 3;
+      this.turn((reached - done) * theta, (reached - done) * phi);
       done = reached;
       if (t < 1) this.nudging = requestAnimationFrame(frame);
     };
     this.nudging = requestAnimationFrame(frame);
+  }
+
+  /** Turns to look from a direction, at the same distance; at once for those who ask for less motion. */
+  face(from: Vector3): void {
+    this.take();
+    const goal = new Spherical().setFromVector3(from);
+    goal.makeSafe();
+    const start = new Spherical().setFromVector3(this.camera.position.clone().sub(this.target));
+    // The shorter way round.
+    const theta = goal.theta - start.theta - 2 * Math.PI * Math.round((goal.theta - start.theta) / (2 * Math.PI));
+    const phi = goal.phi - start.phi;
+    if (matchMedia('(prefers-reduced-motion: reduce)').matches) {
+      this.turn(theta, phi);
+      return;
+    }
+    this.glide(450, theta, phi);
+  }
+
+  centre(): Vector3 {
+    return this.target.clone();
+  }
+
+  /** From the centre to the eye, unit length. */
+  direction(): Vector3 {
+    return this.camera.position.clone().sub(this.target).normalize();
+  }
+
+  /** Where the eye would be after facing from a direction. */
+  placeFrom(direction: Vector3): Vector3 {
+    return this.target.clone().addScaledVector(direction, this.distance());
   }
 
   distance(): number {

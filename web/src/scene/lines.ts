@@ -18,7 +18,14 @@ export const wideLimit = 30_000;
 const shared = /* glsl */ `
 uniform vec2 viewport;
 uniform float halfWidth;
+uniform float lift;
 out float vAlong;
+// Nearer by a length for what lies close to the surface rather than on it.
+vec4 raised(vec3 p) {
+  vec4 eye = modelViewMatrix * vec4(p, 1.0);
+  eye.xyz *= 1.0 - lift / length(eye.xyz);
+  return projectionMatrix * eye;
+}
 // A little nearer than the surface they lie on, so that they win where depths are equal.
 vec4 lifted(vec4 p) { p.z -= 2e-5 * p.w; return p; }`;
 
@@ -28,10 +35,8 @@ in vec3 from;
 in vec3 to;
 in float start;
 void main() {
-  vec4 eyeA = modelViewMatrix * vec4(from, 1.0);
-  vec4 eyeB = modelViewMatrix * vec4(to, 1.0);
-  vec4 a = projectionMatrix * eyeA;
-  vec4 b = projectionMatrix * eyeB;
+  vec4 a = raised(from);
+  vec4 b = raised(to);
   vec2 along = (b.xy / b.w - a.xy / a.w) * viewport;
   float length2 = dot(along, along);
   vec2 across = length2 > 0.0 ? vec2(-along.y, along.x) * inversesqrt(length2) : vec2(0.0);
@@ -46,18 +51,18 @@ ${shared}
 in float start;
 void main() {
   vAlong = start;
-  gl_Position = lifted(projectionMatrix * modelViewMatrix * vec4(position, 1.0));
+  gl_Position = lifted(raised(position));
 }`;
 
 const fragmentShader = /* glsl */ `
 uniform vec3 ink;
 uniform float period;
+uniform float drawn;
 uniform float opacity;
 in float vAlong;
 out vec4 colour;
 void main() {
-  float phase = fract(vAlong / period);
-  if (phase > 0.62) discard;
+  if (fract(vAlong / period) > drawn) discard;
   colour = vec4(ink, opacity);
 }`;
 
@@ -65,17 +70,32 @@ void main() {
 const clearLength = 8;
 
 export interface Segments {
+  /** 6 a segment: both ends. */
   segments: Float32Array;
+  /** Length along its line; all 0 for lines that are not dashed. */
   segmentStarts: Float32Array;
 }
 
-/** Dashed lines on a surface: dashed, so that they are never told by colour alone. */
-export class DashedLines {
+export interface Stroke {
+  ink: 'negative' | 'accent';
+  dashed: boolean;
+  /** In CSS pixels. */
+  width: number;
+  /** How much nearer to the eye they are drawn, a length. */
+  lift: number;
+}
+
+/** Lines on a surface, or close to it. */
+export class Lines {
   readonly object: Mesh | LineSegments;
   readonly material: ShaderMaterial;
+  readonly ink: Stroke['ink'];
   private readonly meanLength: number;
+  private readonly width: number;
 
-  constructor(lines: Segments) {
+  constructor(lines: Segments, { ink, dashed, width, lift }: Stroke) {
+    this.ink = ink;
+    this.width = width;
     const total = lines.segmentStarts.length;
     const hairlines = total > wideLimit;
     this.material = new ShaderMaterial({
@@ -89,6 +109,8 @@ export class DashedLines {
         viewport: { value: new Vector2(1, 1) },
         halfWidth: { value: 1 },
         period: { value: 1 },
+        drawn: { value: dashed ? 0.62 : 2 },
+        lift: { value: lift },
         opacity: { value: 1 },
         ink: { value: new Vector3() },
       },
@@ -107,7 +129,7 @@ export class DashedLines {
     viewport?.value.set(width * pixelRatio, height * pixelRatio);
     // Lines a few pixels apart would hide the surface: they become a tint.
     if (opacity) opacity.value = Math.min(1, Math.max(0.12, this.meanLength / lengthPerPixel / clearLength));
-    if (halfWidth) halfWidth.value = 0.75 * pixelRatio;
+    if (halfWidth) halfWidth.value = (this.width / 2) * pixelRatio;
     // In powers of two: dashes keep their size on screen without crawling as the camera moves.
     if (period) period.value = 2 ** Math.round(Math.log2(6 * lengthPerPixel));
   }

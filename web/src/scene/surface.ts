@@ -54,6 +54,9 @@ uniform vec2 range;
 uniform vec3 lit;
 uniform vec3 shade;
 uniform vec3 edge;
+uniform vec3 card;
+uniform float faded;
+uniform float edges;
 uniform float pixelRatio;
 flat in vec3 vNormal;
 flat in int vEdges;
@@ -66,7 +69,7 @@ void main() {
   vec3 n = normalize(vNormal);
   if (dot(n, vEye) > 0.0) n = -n;
   float light = 0.5 + 0.5 * dot(n, normalize(vec3(-0.55, 0.75, 0.5)));
-  vec3 surface = mix(shade, lit, light * light);
+  vec3 surface = mix(mix(shade, lit, light * light), card, faded);
   vec3 drawnEdge = edge;
   if (mapped && vKnown > 0.999) {
     float t = clamp((vValue - range.x) / (range.y - range.x), 0.0, 1.0);
@@ -81,7 +84,7 @@ void main() {
   vec3 near = drawn * (1.0 - smoothstep(0.0, 1.0, away.zxy / pixelRatio));
   // Where triangles shrink to a few pixels edges fade, instead of painting everything dark.
   float room = 1.0 - smoothstep(0.12, 0.45, max(width.x, max(width.y, width.z)));
-  float line = max(near.x, max(near.y, near.z)) * mix(0.2, 1.0, room);
+  float line = max(near.x, max(near.y, near.z)) * mix(0.2, 1.0, room) * edges;
   colour = vec4(mix(surface, drawnEdge, line), 1.0);
 }`;
 
@@ -114,7 +117,8 @@ export class Surface {
   /** 3V, as drawn. */
   points: Float32Array;
   private readonly normals: VectorTexture;
-  private readonly faceNormals: Float32Array;
+  /** 3F, unit length. */
+  readonly faceNormals: Float32Array;
 
   constructor(
     private readonly geometry: Geometry,
@@ -148,6 +152,9 @@ export class Surface {
         lit: { value: new Vector3(1, 1, 1) },
         shade: { value: new Vector3() },
         edge: { value: new Vector3() },
+        card: { value: new Vector3() },
+        faded: { value: 0 },
+        edges: { value: 1 },
         pixelRatio: { value: 1 },
       },
     });
@@ -172,11 +179,19 @@ export class Surface {
     this.normals.update(this.faceNormals);
   }
 
-  show(values: Float64Array | null, range: { min: number; max: number } | null): void {
+  show(values: Float64Array | null, range: { min: number; max: number } | null, colours: Texture): void {
     this.values.update(values);
-    const { mapped, range: shown } = this.material.uniforms;
+    const { mapped, map, range: shown } = this.material.uniforms;
+    if (map) map.value = colours;
     if (mapped) mapped.value = values !== null && range !== null;
     if (range && shown) shown.value.set(range.min, range.max);
+  }
+
+  /** @param faded how far the surface steps back behind what is drawn on it, 0 … 1   @param edges how strong its edges are, 0 … 1 */
+  fade(faded: number, edges: number): void {
+    const { uniforms } = this.material;
+    if (uniforms.faded) uniforms.faded.value = faded;
+    if (uniforms.edges) uniforms.edges.value = edges;
   }
 
   dispose(): void {

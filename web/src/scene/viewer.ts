@@ -1,19 +1,19 @@
 import { type Material, Matrix4, Scene, type Texture, Vector3, WebGLRenderer, WebGLRenderTarget } from 'three';
-import { viridisTexture } from '../colour-maps.js';
-import type { Geometry, Side, Weights } from '../polylap.js';
+import { type ColourMap, colourTexture } from '../colour-maps.js';
+import type { Geometry, Side } from '../polylap.js';
 import { type Pin, sides } from '../state.js';
 import { LinkedCamera } from './camera.js';
 import { readColours } from './colours.js';
 import { triangleTexture } from './data-texture.js';
 import { hidden, Labels } from './labels.js';
-import { DashedLines } from './lines.js';
+import { type Layer, type LayerName, vertexNormal } from './layers.js';
 import { type Mark, Markers } from './markers.js';
 import { Surface } from './surface.js';
 
 interface Shown {
   scene: Scene;
   surface: Surface;
-  lines: DashedLines | null;
+  layers: Map<LayerName, Layer>;
   markers: Markers;
 }
 
@@ -25,13 +25,15 @@ export class Viewer {
   readonly camera: LinkedCamera;
   private readonly renderer: WebGLRenderer;
   private readonly pickTarget = new WebGLRenderTarget(1, 1);
-  private readonly map = viridisTexture();
+  private readonly maps = { viridis: colourTexture('viridis'), 'red-blue': colourTexture('red-blue') };
   private readonly labels: Record<Side, Labels>;
   private shown: Record<Side, Shown> | null = null;
   private geometry: Geometry | null = null;
   private triangles: Texture | null = null;
   private frame = 0;
-  private negativeShown = true;
+  private readonly hiddenLayers = new Set<LayerName>();
+  /** Of the loaded mesh. */
+  meanEdge = 1;
   private framed = false;
   private framedAspect = 0;
 
@@ -62,16 +64,17 @@ export class Viewer {
     this.geometry = geometry;
     this.triangles = triangleTexture(geometry.triangles, geometry.triangleEdges, geometry.triangleFaces);
     const count = geometry.positions.length / 3;
-    const lift = 0.35 * meanEdge(geometry);
+    this.meanEdge = meanEdge(geometry);
+    const lift = 0.35 * this.meanEdge;
     const make = (): Shown => {
       const scene = new Scene();
-      const surface = new Surface(geometry, count, this.triangles as Texture, this.map);
+      const surface = new Surface(geometry, count, this.triangles as Texture, this.maps.viridis);
       const markers = new Markers(surface.positions.texture, lift);
       scene.add(surface.mesh, markers.object);
       scene.matrixAutoUpdate = false;
       scene.matrix.copy(zIsUp ? new Matrix4().makeRotationX(-Math.PI / 2) : new Matrix4());
       scene.updateMatrixWorld(true);
-      return { scene, surface, lines: null, markers };
+      return { scene, surface, layers: new Map(), markers };
     };
     this.shown = { a: make(), b: make() };
     this.recolour();
@@ -87,35 +90,44 @@ export class Viewer {
     this.request();
   }
 
-  setNegative(side: Side, weights: Weights | null): void {
+  /** Puts a layer in the place of the one with that name; null: none. */
+  setLayer(side: Side, name: LayerName, layer: Layer | null): void {
     const shown = this.shown?.[side];
-    if (!shown) return;
-    if (shown.lines) {
-      shown.scene.remove(shown.lines.object);
-      shown.lines.dispose();
-      shown.lines = null;
+    const before = shown?.layers.get(name);
+    if (!shown || (!before && !layer)) return;
+    if (before) {
+      shown.scene.remove(before.object);
+      before.dispose();
+      shown.layers.delete(name);
     }
-    if (weights && weights.segmentStarts.length > 0) {
-      shown.lines = new DashedLines(weights);
-      shown.lines.object.visible = this.negativeShown;
-      shown.scene.add(shown.lines.object);
-      shown.lines.object.updateMatrixWorld(true);
+    if (layer) {
+      layer.object.visible = !this.hiddenLayers.has(name);
+      shown.layers.set(name, layer);
+      shown.scene.add(layer.object);
+      layer.object.updateMatrixWorld(true);
       this.recolour();
     }
     this.request();
   }
 
-  showNegative(visible: boolean): void {
-    this.negativeShown = visible;
+  showLayer(name: LayerName, visible: boolean): void {
+    if (visible) this.hiddenLayers.delete(name);
+    else this.hiddenLayers.add(name);
     for (const side of sides) {
-      const lines = this.shown?.[side].lines;
-      if (lines) lines.object.visible = visible;
+      const layer = this.shown?.[side].layers.get(name);
+      if (layer) layer.object.visible = visible;
     }
     this.request();
   }
 
-  setValues(side: Side, values: Float64Array | null, range: { min: number; max: number } | null): void {
-    this.shown?.[side].surface.show(values, range);
+  /** See Surface.fade. */
+  fade(faded: number, edges: number): void {
+    for (const side of sides) this.shown?.[side].surface.fade(faded, edges);
+    this.request();
+  }
+
+  setValues(side: Side, values: Float64Array | null, range: { min: number; max: number } | null, map: ColourMap): void {
+    this.shown?.[side].surface.show(values, range, this.maps[map]);
     this.request();
   }
 
@@ -141,7 +153,10 @@ export class Viewer {
       };
       take(shown.surface.material);
       take(shown.markers.material);
-      if (shown.lines?.material.uniforms.ink) shown.lines.material.uniforms.ink.value = colours.negative;
+      for (const { material, ink } of shown.layers.values()) {
+        take(material);
+        if (material.uniforms.ink) material.uniforms.ink.value = colours[ink];
+      }
     }
     this.request();
   }
@@ -195,6 +210,34 @@ export class Viewer {
       if (vertex !== null) return vertex;
     }
     return null;
+  }
+
+  normalOf(side: Side, vertex: number): [number, number, number] {
+    const surface = this.shown?.[side].surface;
+    return surface && this.geometry ? vertexNormal(this.geometry, surface.faceNormals, vertex) : [0, 0, 1];
+  }
+
+  /** Turns the camera until a vertex is seen, unless it is in full view already. */
+  turnTo(side: Side, vertex: number): void {
+    const { shown, geometry } = this;
+    if (!shown || !geometry) return;
+    const { surface, scene } = shown[side];
+    const normal = new Vector3(...this.normalOf(side, vertex)).transformDirection(scene.matrix);
+    const at = this.toWorld(shown[side], vertex);
+    const now = this.camera.direction();
+    const seen = (from: Vector3) => {
+      const eye = this.toModel(shown[side], this.camera.placeFrom(from));
+      return !hidden(eye, vertex, surface.points, geometry.triangles);
+    };
+    if (this.project(side, vertex)?.visible && normal.dot(now) > 0.5) return;
+    // Rather from above and from outside than straight on, where something stands before it.
+    const up = new Vector3(0, 1, 0);
+    const out = at.clone().sub(this.camera.centre()).normalize();
+    const wishes = [0.3, 0.8, 1.5].flatMap((lean) =>
+      [up, out, now].map((to) => normal.clone().addScaledVector(to, lean)),
+    );
+    const directions = [...wishes, normal, up, out, normal.clone().negate()].filter((from) => from.length() > 1e-3);
+    this.camera.face(directions.map((from) => from.normalize()).find(seen) ?? normal);
   }
 
   /** Draws the one pixel in question with face numbers for colours. */
@@ -286,11 +329,11 @@ export class Viewer {
     for (const side of sides) {
       const box = this.views[side].getBoundingClientRect();
       if (box.width === 0 || box.height === 0) continue;
-      const { scene, surface, lines, markers } = shown[side];
+      const { scene, surface, layers, markers } = shown[side];
       this.aim(box);
       const lengthPerPixel =
         (2 * this.camera.distance() * Math.tan((this.camera.camera.fov * Math.PI) / 360)) / box.height;
-      lines?.fit(box.width, box.height, ratio, lengthPerPixel);
+      for (const layer of layers.values()) layer.fit(box.width, box.height, ratio, lengthPerPixel);
       for (const { uniforms } of [surface.material, markers.material])
         if (uniforms.pixelRatio) uniforms.pixelRatio.value = ratio;
       const bottom = stage.bottom - box.bottom;
@@ -314,7 +357,7 @@ export class Viewer {
     for (const side of sides) {
       const shown = this.shown?.[side];
       shown?.surface.dispose();
-      shown?.lines?.dispose();
+      for (const layer of shown?.layers.values() ?? []) layer.dispose();
       shown?.markers.dispose();
     }
     this.triangles?.dispose();

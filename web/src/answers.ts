@@ -1,0 +1,177 @@
+import type { App } from './app.js';
+import { latest } from './latest.js';
+import { explain } from './messages.js';
+import type { ConvergenceStudy, Dual, Mesh, OperatorSpec, Side } from './polylap.js';
+import { known, type SideResults } from './results.js';
+import { type Choice, operatorOf, sides, type VertexWeights } from './state.js';
+import { isCancelled, type Run } from './work.js';
+
+const names = {
+  weights: 'weights',
+  harmonic: 'harmonic function',
+  matrices: 'matrix',
+  check: 'properties',
+  dual: 'orthogonal dual',
+};
+type Kind = keyof typeof names;
+
+/** Rows of S are read from the whole matrix; beyond this that is too much to copy for each touch of a slider. */
+export const rowLimit = 20_000;
+
+/** Asks the core about both surfaces: what is on screen, the newest question first. */
+export class Answers {
+  private readonly refreshers: Record<Side, Record<Kind, (mesh: Mesh) => void>>;
+  /** What the measurements on screen were asked about: they take long, and are not asked for twice. */
+  private readonly checked: Partial<Record<Side, string>> = {};
+  private dual: { mesh: Mesh; about: string; answer: Promise<Dual> } | null = null;
+
+  constructor(private readonly app: App) {
+    const refresher = (side: Side, kind: Kind) => latest((mesh: Mesh) => this.refresh(mesh, side, kind));
+    const ofSide = (side: Side) =>
+      Object.fromEntries(Object.keys(names).map((kind) => [kind, refresher(side, kind as Kind)])) as Record<
+        Kind,
+        (mesh: Mesh) => void
+      >;
+    this.refreshers = { a: ofSide('a'), b: ofSide('b') };
+  }
+
+  /** Asks for everything about a side that is on screen. */
+  update(side: Side): void {
+    const { app } = this;
+    const { mesh } = app.results.get();
+    if (!mesh) return;
+    const { task, harmonic } = app.state.get();
+    const ask = this.refreshers[side];
+    ask.weights(mesh);
+    if (harmonic.pins.length === 0) app.patch(mesh, side, { harmonic: null });
+    else if (task === 'harmonic') ask.harmonic(mesh);
+    if (task === 'check') ask.check(mesh);
+    if (task === 'dual') ask.dual(mesh);
+    this.row(side);
+  }
+
+  updateBoth(): void {
+    for (const side of sides) this.update(side);
+  }
+
+  /** The row of the selected vertex. */
+  row(side: Side): void {
+    const { mesh } = this.app.results.get();
+    const { task, selected } = this.app.state.get();
+    if (mesh && task === 'weights' && selected !== null && mesh.vertices <= rowLimit)
+      this.refreshers[side].matrices(mesh);
+  }
+
+  /** Area and volume of a side that stands on the loaded mesh. */
+  async measure(mesh: Mesh, side: Side): Promise<void> {
+    const { app } = this;
+    try {
+      const shape = await app.work.run(`${side.toUpperCase()}: area and volume`, (run) => mesh.shape({ side, ...run }));
+      if (app.results.get().mesh === mesh) app.smoothing.loadedArea = shape.area;
+      app.patch(mesh, side, { shape });
+    } catch (reason) {
+      app.fail(mesh, 'The surface could not be measured', reason);
+    }
+  }
+
+  /** What was left unasked for the sake of a mesh that did not come. */
+  again(): void {
+    const { mesh } = this.app.results.get();
+    if (!mesh || this.app.meshes.awaited > 0) return;
+    for (const side of sides) {
+      if (!this.app.results.get()[side].shape) void this.measure(mesh, side);
+      this.update(side);
+    }
+  }
+
+  /** Whether the operators converge, on meshes of the study's own; one after the other. */
+  async study(): Promise<void> {
+    const { app } = this;
+    const client = await app.client;
+    for (const side of sides) {
+      const choice = app.state.get().sides[side];
+      let study: readonly ConvergenceStudy[] | string;
+      try {
+        study = await app.work.run(`${side.toUpperCase()}: convergence`, (run) =>
+          client.convergence(specOf(choice), run),
+        );
+      } catch (reason) {
+        study = isCancelled(reason) ? 'Cancelled.' : explain(reason);
+      }
+      if (app.state.get().sides[side] !== choice) continue;
+      app.results.set({ [side]: { ...app.results.get()[side], study } });
+      if (study === 'Cancelled.') return;
+    }
+  }
+
+  private async refresh(mesh: Mesh, side: Side, kind: Kind): Promise<void> {
+    const { app } = this;
+    if (app.results.get().mesh !== mesh || app.meshes.awaited > 0) return;
+    try {
+      const patch = await app.work.run(`${side.toUpperCase()}: ${names[kind]}`, (run) =>
+        this.ask(kind, mesh, side, run),
+      );
+      if (patch) app.patch(mesh, side, patch);
+    } catch (reason) {
+      if (app.results.get().mesh !== mesh || (isCancelled(reason) && app.meshes.awaited > 0)) return;
+      app.patch(mesh, side, { [kind]: isCancelled(reason) ? 'Cancelled.' : explain(reason) });
+      if (isCancelled(reason)) app.say('Cancelled; the mesh is as it was.');
+    }
+  }
+
+  /** @returns null when there is nothing new to say */
+  private async ask(kind: Kind, mesh: Mesh, side: Side, work: Run): Promise<Partial<SideResults> | null> {
+    const { state, results } = this.app;
+    const run = { side, ...work };
+    const { sides: choices, vertexWeights, harmonic } = state.get();
+    const spec = specOf(choices[side], vertexWeights[side], mesh.vertices);
+    switch (kind) {
+      case 'weights':
+        return { weights: await mesh.weights(spec, run) };
+      case 'matrices':
+        return { matrices: await mesh.matrices(spec, run) };
+      case 'harmonic': {
+        const { pins } = harmonic;
+        if (pins.length === 0) return null;
+        const fixed = { vertices: pins.map((pin) => pin.vertex), values: pins.map((pin) => pin.value) };
+        const answer = await mesh.harmonic(spec, fixed, run);
+        return state.get().harmonic.pins.length > 0 ? { harmonic: answer } : null;
+      }
+      case 'check': {
+        const own = results.get()[side];
+        const about = JSON.stringify([choices[side], vertexWeights[side], own.step]);
+        if (known(own.check) && this.checked[side] === about) return null;
+        this.checked[side] = about;
+        return { check: await mesh.check(spec, run) };
+      }
+      case 'dual':
+        return { dual: await this.dualOf(mesh, side, run) };
+    }
+  }
+
+  /** It does not depend on the operator: as long as the surfaces are the same, both sides have the same one. */
+  private dualOf(mesh: Mesh, side: Side, run: Run): Promise<Dual> {
+    const { mu } = this.app.state.get().dual;
+    const { step } = this.app.results.get()[side];
+    const about = JSON.stringify(step === 0 ? [mu] : [mu, side, step]);
+    if (this.dual?.mesh !== mesh || this.dual.about !== about) {
+      const answer = mesh.dual({ mu }, run);
+      this.dual = { mesh, about, answer };
+      answer.catch(() => {
+        if (this.dual?.answer === answer) this.dual = null;
+      });
+    }
+    return this.dual.answer;
+  }
+}
+
+/** @param vertices of the mesh; without them vertex weights are left out */
+export function specOf(choice: Choice, weights: VertexWeights = {}, vertices = 0): OperatorSpec {
+  const entry = operatorOf(choice);
+  const given = Object.entries(weights);
+  if (!entry.takesVertexWeights || given.length === 0 || vertices === 0)
+    return { id: choice.operator, ...choice.parameters } as OperatorSpec;
+  const vertexWeights = new Float64Array(vertices);
+  for (const [vertex, weight] of given) vertexWeights[Number(vertex)] = weight;
+  return { id: choice.operator, ...choice.parameters, vertexWeights } as OperatorSpec;
+}

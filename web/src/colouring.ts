@@ -1,0 +1,51 @@
+/** Which values colour the two surfaces, and how: the views and the legend show the same. */
+import type { ColourMap } from './colour-maps.js';
+import type { Side } from './polylap.js';
+import { known, type Results } from './results.js';
+import type { State } from './state.js';
+
+export interface Range {
+  min: number;
+  max: number;
+  /** The one value everywhere, in the middle of the range. */
+  single: number | null;
+}
+
+export interface Colouring {
+  map: ColourMap;
+  range: Range;
+  values: Record<Side, Float64Array | null>;
+}
+
+/** null when there is nothing to colour. */
+export function colouring(state: Pick<State, 'task' | 'mode'>, results: Results): Colouring | null {
+  if (state.task === 'harmonic') {
+    const range = sharedRange(results);
+    const values = (side: Side) => known(results[side].harmonic)?.values ?? null;
+    return range && { map: 'viridis', range, values: { a: values('a'), b: values('b') } };
+  }
+  if (state.task !== 'check') return null;
+  const mode = (side: Side) => known(results[side].check)?.kernelModes[state.mode[side] ?? -1] ?? null;
+  const values = { a: mode('a'), b: mode('b') };
+  // Zero in the middle; one range for both sides.
+  let reach = 0;
+  for (const value of [...(values.a ?? []), ...(values.b ?? [])]) reach = Math.max(reach, Math.abs(value));
+  return reach > 0 ? { map: 'red-blue', range: { min: -reach, max: reach, single: null }, values } : null;
+}
+
+/** Values that differ by less, beside the largest of them, differ by rounding. */
+const rounding = 1e-9;
+
+/** One range for both sides, so that equal colours are equal values; null when there is nothing to show. */
+export function sharedRange(results: Record<Side, Pick<Results[Side], 'harmonic'>>): Range | null {
+  const shown = [known(results.a.harmonic), known(results.b.harmonic)].filter((harmonic) => harmonic !== null);
+  if (shown.length === 0) return null;
+  const min = Math.min(...shown.map((harmonic) => harmonic.min));
+  const max = Math.max(...shown.map((harmonic) => harmonic.max));
+  const size = Math.max(...shown.flatMap(({ fixedMin, fixedMax }) => [Math.abs(fixedMin), Math.abs(fixedMax)]));
+  if (max - min > rounding * size) return { min, max, single: null };
+  // What was pinned, rather than what rounding made of it.
+  const single = shown[0]?.fixedMin ?? min;
+  const reach = size || 1;
+  return { min: single - reach, max: single + reach, single };
+}

@@ -1,0 +1,104 @@
+import type { App } from '../app.js';
+import { h } from '../dom.js';
+import { count, real } from '../format.js';
+import type { ConvergenceStudy, Side } from '../polylap.js';
+import { known } from '../results.js';
+import { operatorOf, sides, studied } from '../state.js';
+import { button } from './controls.js';
+
+/** Whether the two operators approach the smooth one on finer and finer meshes: a study for the asking. */
+export function convergenceSection(app: App): HTMLElement {
+  const ask = button('Study convergence', () => void app.answers.study(), { 'data-action': 'study' });
+  const tables = h('div', { class: 'studies' });
+  const trouble = h('p', { class: 'note' });
+  const show = () => {
+    const { a, b } = app.results.get();
+    const studies = { a: known(a.study) ?? [], b: known(b.study) ?? [] };
+    const families = [...new Set(sides.flatMap((side) => studies[side].map(({ family }) => family)))];
+    tables.replaceChildren(
+      ...families.map((family) =>
+        familyTable(app, family, (side) => studies[side].find((study) => study.family === family)),
+      ),
+    );
+    trouble.textContent = sides
+      .flatMap((side) => {
+        const { study } = app.results.get()[side];
+        return typeof study === 'string' ? [`${side.toUpperCase()}: ${study}`] : [];
+      })
+      .join(' ');
+  };
+  app.results.watch((results) => [results.a.study, results.b.study], show);
+  app.results.watch(
+    (results) => [results.busy],
+    (busy) => {
+      ask.disabled = busy !== null;
+    },
+  );
+  return h(
+    'section',
+    {},
+    h('h2', {}, 'Convergence'),
+    h('p', { class: 'note' }, 'The error against the smooth operator on finer and finer meshes of the study’s own.'),
+    h('div', { class: 'buttons' }, ask),
+    trouble,
+    tables,
+  );
+}
+
+function familyTable(app: App, family: string, studyOf: (side: Side) => ConvergenceStudy | undefined): HTMLElement {
+  const studies = { a: studyOf('a'), b: studyOf('b') };
+  const longest = (studies.a?.levels.length ?? 0) >= (studies.b?.levels.length ?? 0) ? studies.a : studies.b;
+  const cells = (study: ConvergenceStudy | undefined, k: number) => {
+    const level = study?.levels[k];
+    if (!level) return [h('td', {}, '–'), h('td', {}, '')];
+    return [
+      h('td', { 'data-value': level.error }, real(level.error, 2)),
+      h('td', { 'data-value': level.order }, Number.isNaN(level.order) ? '' : level.order.toFixed(2).replace('-', '−')),
+    ];
+  };
+  const verdict = (side: Side) => {
+    const study = studies[side];
+    if (!study) return `${side.toUpperCase()}: –`;
+    const { where } = operatorOf(app.state.get().sides[side]).claims[studied];
+    const found = study.converges ? '✓ converges' : '✗ does not converge';
+    return `${side.toUpperCase()} claims ${where}: ${found}${study.failure ? `; ${study.failure}` : ''}`;
+  };
+  return h(
+    'div',
+    { class: 'study', 'data-family': family },
+    h('h3', {}, family),
+    h('p', { class: 'note' }, longest?.problem ?? ''),
+    h(
+      'table',
+      { class: 'readouts study-table' },
+      h('caption', { class: 'unseen' }, `Convergence, ${family}`),
+      h(
+        'thead',
+        {},
+        h(
+          'tr',
+          {},
+          h('th', { scope: 'col' }, h('i', {}, 'h')),
+          ...['A', 'B'].flatMap((letter) => [
+            h('th', { scope: 'col' }, `${letter} error`),
+            h('th', { scope: 'col', 'aria-label': `${letter} order` }, 'order'),
+          ]),
+        ),
+      ),
+      h(
+        'tbody',
+        {},
+        ...(longest?.levels ?? []).map(({ h: size, vertices }, k) =>
+          h(
+            'tr',
+            { title: `${count(vertices)} vertices` },
+            h('th', { scope: 'row' }, real(size, 2)),
+            ...cells(studies.a, k),
+            ...cells(studies.b, k),
+          ),
+        ),
+      ),
+    ),
+    ...sides.map((side) => h('p', { class: 'study-verdict', 'data-of': side }, verdict(side))),
+  );
+}

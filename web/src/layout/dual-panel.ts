@@ -1,0 +1,153 @@
+import type { App } from '../app.js';
+import { h } from '../dom.js';
+import { count, real } from '../format.js';
+import type { Dual, Geometry } from '../polylap.js';
+import { known } from '../results.js';
+import { type State, sides } from '../state.js';
+import { button, numberField, slider } from './controls.js';
+import { sideTable } from './table.js';
+
+/** The slider's left end is 0, exactly orthogonal; then powers of ten. */
+const [weakest, strongest] = [-2, 4];
+const exactly = weakest - 0.1;
+
+/** The orthogonal dual: how it fits, what is drawn of it, and the compromise where it does not fit. */
+export function dualPanel(app: App): HTMLElement {
+  const figures = sideTable('Orthogonal dual', [
+    { id: 'residual', name: 'residual' },
+    { id: 'constraints', name: 'constraints' },
+    { id: 'rank', name: 'rank' },
+    { id: 'null-space', name: 'null space' },
+    { id: 'shift', name: 'largest shift' },
+    { id: 'shift-face', name: 'at' },
+  ]);
+  const verdict = h('p', { class: 'verdict-text', 'data-readout': 'dual-verdict' });
+  const again = button('Compute', () => app.answers.updateBoth(), { 'data-action': 'dual-again' });
+  const setMu = (mu: number) => app.setDual({ mu });
+  const track = slider({
+    label: 'μ of the compromise',
+    min: exactly,
+    max: strongest,
+    step: 0.1,
+    onInput: (at) => setMu(at <= exactly + 0.05 ? 0 : Number((10 ** at).toPrecision(2))),
+  });
+  const field = numberField({
+    label: 'μ of the compromise, value',
+    min: 0,
+    max: 1e12,
+    onChange: setMu,
+    onRefuse: (why) => app.say(why),
+  });
+  field.element.dataset.field = 'mu';
+  const layer = (id: keyof Omit<State['dual'], 'mu'>, swatch: string, text: string) => {
+    const box = h('input', {
+      type: 'checkbox',
+      'data-field': `layer-${id}`,
+      onchange: () => app.setDual({ [id]: box.checked }),
+    });
+    app.state.watch(
+      (state) => [state.dual[id]],
+      (shown) => {
+        box.checked = shown;
+      },
+    );
+    return h('label', { class: 'check' }, box, h('span', { class: `swatch ${swatch}`, 'aria-hidden': 'true' }), text);
+  };
+  const element = h(
+    'div',
+    { class: 'panel-body' },
+    h(
+      'section',
+      {},
+      h('h2', {}, 'Orthogonal dual'),
+      h(
+        'p',
+        { class: 'note' },
+        'A point for each face, so that the line between two neighbours is orthogonal to their edge; of all such points those nearest to the barycentres.',
+      ),
+      figures.element,
+      verdict,
+      again,
+    ),
+    h(
+      'section',
+      {},
+      h('h2', {}, 'Compromise'),
+      h(
+        'div',
+        { class: 'parameter' },
+        h('span', { class: 'parameter-name', 'aria-hidden': 'true' }, h('i', {}, 'μ')),
+        track.element,
+        field.element,
+      ),
+      h(
+        'p',
+        { class: 'note' },
+        'μ = 0 is exact. Above, points may leave the right angle to stay near their barycentres: the more, the smaller μ is.',
+      ),
+    ),
+    h(
+      'section',
+      {},
+      h('h2', {}, 'Drawn'),
+      layer('primal', 'primal', 'primal edges'),
+      layer('edges', 'dual', 'dual edges and vertices'),
+      layer('points', 'point', 'edge points'),
+    ),
+  );
+
+  app.state.watch(
+    (state) => [state.dual.mu],
+    (mu) => {
+      track.set(mu === 0 ? exactly : Math.log10(mu), mu === 0 ? '0, exactly orthogonal' : String(mu));
+      field.set(mu);
+    },
+  );
+  app.results.watch(
+    (results) => [results.a.dual, results.b.dual],
+    (...both) => {
+      sides.forEach((side, k) => {
+        const dual = known(both[k] ?? null);
+        const text = (id: string, value: number | undefined, write: (value: number) => string) =>
+          figures.set(id, side, value === undefined ? { text: '–' } : { text: write(value), value });
+        text('residual', dual?.residual, (value) => real(value, 3));
+        text('constraints', dual?.constraints, count);
+        text('rank', dual?.rank, count);
+        text('null-space', dual?.nullSpace, count);
+        text('shift', dual?.largestShift, (value) => real(value, 3));
+        const face = dual?.worstFace ?? -1;
+        const { mesh } = app.results.get();
+        figures.set(
+          'shift-face',
+          side,
+          mesh && face >= 0
+            ? {
+                text: `face ${face}`,
+                value: face,
+                act: () => app.show({ side, vertices: cornersOf(mesh.geometry, face) }),
+              }
+            : { text: '–' },
+        );
+      });
+      verdict.textContent = verdicts(both);
+      again.hidden = !both.some((dual) => typeof dual === 'string');
+    },
+  );
+  return element;
+}
+
+/** Plain sentences on whether the duals can be used. */
+function verdicts(both: readonly (Dual | string | null)[]): string {
+  const texts = both.map((dual) => {
+    if (dual === null) return '';
+    if (typeof dual === 'string') return dual;
+    if (dual.usable) return 'Every point is near its face: the dual is usable.';
+    return `The dual is not usable: a point lies ${real(dual.largestShift, 2)} face widths from its barycentre.`;
+  });
+  const [a = '', b = ''] = texts;
+  return a === b ? a : texts.map((text, k) => text && `${'AB'[k]}: ${text}`).join(' ');
+}
+
+const cornersOf = ({ offsets, corners }: Geometry, face: number) => [
+  ...corners.subarray(offsets[face], offsets[face + 1]),
+];

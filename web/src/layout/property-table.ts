@@ -1,0 +1,124 @@
+import type { App } from '../app.js';
+import { h } from '../dom.js';
+import { real } from '../format.js';
+import { type Measurement, properties } from '../polylap.js';
+import { known, type SideResults } from '../results.js';
+import { operatorOf, sides, studied } from '../state.js';
+import { button, newId } from './controls.js';
+
+type Verdict = Measurement['verdict'];
+type Finding = Pick<Measurement, 'verdict' | 'text' | 'vertices'>;
+
+const signs: Record<Verdict, readonly [sign: string, word: string]> = {
+  holds: ['✓', 'holds'],
+  fails: ['✗', 'fails'],
+  'not-measured': ['–', 'not measured'],
+};
+
+/** Each property of the table: claimed by the operator and measured on the surface; the reasons in a row that opens. */
+export function propertyTable(app: App): HTMLElement {
+  const rows = properties.map((property) => {
+    const cells = { a: h('td', { 'data-of': 'a' }), b: h('td', { 'data-of': 'b' }) };
+    const details = { a: h('div', { 'data-of': 'a' }), b: h('div', { 'data-of': 'b' }) };
+    const reasons = h(
+      'tr',
+      { class: 'reasons', id: newId('reasons'), hidden: true },
+      h('td', { colspan: 3 }, h('p', {}, property.meaning), details.a, details.b),
+    );
+    const opener = button(property.label, () => open(reasons.hidden === true), {
+      class: 'opener',
+      'aria-expanded': 'false',
+      'aria-controls': reasons.id,
+    });
+    const open = (opened: boolean) => {
+      reasons.hidden = !opened;
+      opener.setAttribute('aria-expanded', String(opened));
+    };
+    const row = h('tr', { 'data-property': property.id }, h('th', { scope: 'row' }, opener), cells.a, cells.b);
+    return { property, cells, details, row, reasons, open };
+  });
+  const all = button(
+    'All reasons',
+    () => {
+      const open = rows.some(({ reasons }) => reasons.hidden === true);
+      for (const row of rows) row.open(open);
+      all.setAttribute('aria-expanded', String(open));
+    },
+    { class: 'quiet', 'aria-expanded': 'false', 'data-action': 'all-reasons' },
+  );
+  const element = h(
+    'section',
+    {},
+    h('div', { class: 'section-head' }, h('h2', {}, 'Claimed and measured'), all),
+    h(
+      'table',
+      { class: 'readouts properties' },
+      h('caption', { class: 'unseen' }, 'Properties, claimed and measured'),
+      h('thead', {}, h('tr', {}, h('td', {}), h('th', { scope: 'col' }, 'A'), h('th', { scope: 'col' }, 'B'))),
+      h('tbody', {}, ...rows.flatMap(({ row, reasons }) => [row, reasons])),
+    ),
+    h(
+      'p',
+      { class: 'note' },
+      'The word is the claim: yes, planar (where faces are planar), triangles (on triangle meshes) or no. Measured here: ✓ holds, ✗ fails, – not measured.',
+    ),
+  );
+  for (const side of sides) {
+    const show = () => {
+      const operator = operatorOf(app.state.get().sides[side]);
+      const results = app.results.get()[side];
+      for (const { property, cells, details } of rows) {
+        const { where, why } = operator.claims[property.id];
+        const finding = findingOf(results, property.id);
+        const [sign, word] = signs[finding.verdict];
+        const broken = where === 'yes' && finding.verdict === 'fails';
+        cells[side].replaceChildren(
+          h('span', { class: 'claim' }, where),
+          ' ',
+          h(
+            'span',
+            { class: `verdict ${finding.verdict}`, 'data-verdict': finding.verdict },
+            h('span', { 'aria-hidden': 'true' }, sign),
+            h('span', { class: 'unseen' }, `, ${word}`),
+          ),
+        );
+        details[side].replaceChildren(
+          h('p', {}, h('b', {}, side.toUpperCase()), ` claims ${where}: ${why}.`),
+          h(
+            'p',
+            { class: broken ? 'negative' : '' },
+            `${word.charAt(0).toUpperCase()}${word.slice(1)}${broken ? ', against the claim' : ''}${finding.text ? `: ${finding.text}` : '.'} `,
+            finding.vertices.length > 0
+              ? button(placeName(finding.vertices), () => app.show({ side, vertices: finding.vertices }), {
+                  class: 'place',
+                  'aria-label': `${placeName(finding.vertices)}, on ${side.toUpperCase()}`,
+                })
+              : null,
+          ),
+        );
+      }
+    };
+    app.state.watch((state) => [state.sides[side].operator], show);
+    app.results.watch((results) => [results[side].check, results[side].study], show);
+  }
+  return element;
+}
+
+const unknown: Finding = { verdict: 'not-measured', text: '', vertices: [] };
+
+/** What was measured of a property; of convergence, what the study found. */
+function findingOf({ check, study }: SideResults, property: string): Finding {
+  const measured = known(check)?.measurements.find((measurement) => measurement.property === property);
+  if (measured && measured.verdict !== 'not-measured') return measured;
+  if (property !== studied) return measured ?? unknown;
+  const studies = known(study);
+  if (!studies) return { ...unknown, text: 'see the study below.' };
+  const text = studies.map(({ family, order }) => `order ${real(order, 2)} on ${family}`).join('; ');
+  return { verdict: studies.every(({ converges }) => converges) ? 'holds' : 'fails', text: `${text}.`, vertices: [] };
+}
+
+export function placeName(vertices: readonly number[]): string {
+  const [first, second] = vertices;
+  if (second === undefined) return `vertex ${first}`;
+  return vertices.length === 2 ? `vertices ${first} and ${second}` : `vertices ${first}, ${second} …`;
+}
