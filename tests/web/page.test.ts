@@ -4,8 +4,9 @@ import { load, operators, type Polylap } from '../../wasm/src/node.js';
 import { presets } from '../../web/src/state.js';
 import { negative, picture, readout, settled, shows, useSite, useVisit } from './browser.js';
 
-const torus = presets[0]?.shape;
-if (!torus) throw new Error('there are no presets');
+const [first] = presets;
+if (!first || !('shape' in first)) throw new Error('the first preset is no shape');
+const torus = first.shape;
 
 const site = useSite();
 let polylap: Polylap;

@@ -11,7 +11,7 @@ beforeAll(async () => {
 
 const made = (id: string) => {
   const preset = presets.find((entry) => entry.id === id);
-  if (!preset) throw new Error(`no preset ${id}`);
+  if (!preset || !('shape' in preset)) throw new Error(`no preset ${id} with a shape`);
   return polylap.make(preset.shape);
 };
 

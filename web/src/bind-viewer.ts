@@ -6,7 +6,7 @@ import { known } from './results.js';
 import { chain, dualLayers, negativeLines, weightCircles } from './scene/layers.js';
 import { Mark } from './scene/markers.js';
 import type { Viewer } from './scene/viewer.js';
-import { operatorOf, sides } from './state.js';
+import { operatorOf, presets, type Source, sides } from './state.js';
 
 /** A press that moves less than this, in pixels, is a click. */
 const clickReach = 5;
@@ -17,7 +17,7 @@ export function bindViewer(app: App, viewer: Viewer): void {
     (results) => [results.mesh],
     (mesh) => {
       if (!mesh) return;
-      viewer.setMesh(mesh.geometry, app.state.get().source.kind !== 'file' || liesFlat(mesh.geometry));
+      viewer.setMesh(mesh.geometry, isMade(app.state.get().source) || liesFlat(mesh.geometry));
     },
   );
   for (const side of sides) {
@@ -142,6 +142,11 @@ function bindWeights(app: App, viewer: Viewer, side: Side): void {
   app.state.watch((state) => [state.sides[side].operator, state.vertexWeights[side]], show);
   app.results.watch((results) => [results[side].positions, results.mesh], show);
 }
+
+/** Whether a mesh is of the table of shapes. */
+const isMade = (source: Source) =>
+  source.kind === 'shape' ||
+  (source.kind === 'preset' && presets.some((preset) => preset.id === source.id && 'shape' in preset));
 
 /** Shapes made here stand on the plane z = 0; in files y is mostly up, except where the mesh is a relief over x and y. */
 function liesFlat({ positions }: Geometry): boolean {

@@ -2,10 +2,10 @@ import type { App } from './app.js';
 import { count, plural } from './format.js';
 import { countFaces } from './mesh-text.js';
 import { describe, explain, reportOf } from './messages.js';
-import type { ConversionSpec, Mesh, ShapeSpec, Side } from './polylap.js';
+import type { Client, ConversionSpec, Mesh, ShapeSpec, Side } from './polylap.js';
 import { freshSide, type Message } from './results.js';
-import { forAnotherMesh, type Made, nameOf, presets, type Source, sides } from './state.js';
-import { isCancelled } from './work.js';
+import { forAnotherMesh, type Made, nameOf, type Preset, presets, type Source, sides } from './state.js';
+import { isCancelled, type Run } from './work.js';
 
 const tooManyFaces = 1_000_000;
 const tooManyBytes = 200e6;
@@ -23,7 +23,12 @@ export class Meshes {
   async preset(id: string): Promise<void> {
     const preset = presets.find((entry) => entry.id === id) ?? presets[0];
     if (!preset) return;
-    await this.take({ kind: 'preset', id: preset.id }, async () => (await this.app.client).make(preset.shape));
+    await this.take({ kind: 'preset', id: preset.id }, async () => {
+      const client = await this.app.client;
+      return 'shape' in preset
+        ? client.make(preset.shape)
+        : this.app.work.run(`Loading ${preset.label}`, (run) => load(client, preset, run));
+    });
   }
 
   /** @returns what was wrong, or null; the mesh on screen stays if something was */
@@ -155,5 +160,18 @@ export class Meshes {
       app.answers.update(side);
     }
     return null;
+  }
+}
+
+/** A mesh that lies beside the page. */
+async function load(client: Client, { file, change }: Extract<Preset, { file: string }>, run: Run): Promise<Mesh> {
+  const answer = await fetch(new URL(file, document.baseURI), { signal: run.signal });
+  if (!answer.ok) throw new Error(`${file} could not be loaded: the server says ${answer.status}`);
+  const mesh = await client.open(await answer.blob(), file, run);
+  if (!change) return mesh;
+  try {
+    return await mesh.convert(change, run);
+  } finally {
+    void mesh.close();
   }
 }

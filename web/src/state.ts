@@ -1,4 +1,4 @@
-import type { MakerInfo, OperatorInfo, PropertyId, ShapeSpec, Side } from './polylap.js';
+import type { ConversionSpec, MakerInfo, OperatorInfo, PropertyId, ShapeSpec, Side } from './polylap.js';
 import { conversions, operators, shapes } from './polylap.js';
 
 export type Task = 'weights' | 'smooth' | 'harmonic' | 'dual' | 'check';
@@ -57,11 +57,13 @@ export interface State {
   theme: Theme;
 }
 
-export interface Preset {
+export type Preset = {
   id: string;
   label: string;
-  shape: ShapeSpec;
-}
+} & ({ shape: ShapeSpec } | { file: string; change?: ConversionSpec });
+
+/** Beside the page; made when it is built, loaded when it is asked for. */
+const bunny = 'meshes/quad-bunny.obj';
 
 export const presets: readonly Preset[] = [
   { id: 'noisy-torus', label: 'Noisy torus', shape: { shape: 'torus', nu: 32, nv: 16, noise: 0.3, seed: 1 } },
@@ -70,6 +72,13 @@ export const presets: readonly Preset[] = [
   { id: 'saddle', label: 'Saddle', shape: { shape: 'saddle', n: 16, height: 0.6 } },
   { id: 'grid-8', label: 'Grid, 8 × 8', shape: { shape: 'grid', nx: 8, ny: 8, width: 8, height: 8 } },
   { id: 'grid-2', label: 'Grid, 2 × 2', shape: { shape: 'grid', nx: 2, ny: 2, width: 2, height: 2 } },
+  { id: 'bunny', label: 'Quad bunny', file: bunny },
+  {
+    id: 'noisy-bunny',
+    label: 'Noisy quad bunny',
+    file: bunny,
+    change: { conversion: 'noise', amplitude: 0.3, seed: 1 },
+  },
 ];
 
 /** What the page opens with: the only place that names operators. */
