@@ -34,6 +34,13 @@ describe.each([
     expect(await complaints(page)).toEqual([]);
     await page.getByRole('tab', { name: 'Smooth' }).click();
     expect(await complaints(page)).toEqual([]);
+    for (const task of ['Dual', 'Check']) {
+      await page.getByRole('tab', { name: task }).click();
+      await settled(page);
+      if (task === 'Check') await page.getByRole('button', { name: 'All reasons' }).click();
+      await picture(page, `${task.toLowerCase()}-${name}`, true);
+      expect(await complaints(page)).toEqual([]);
+    }
     await example(page);
     await picture(page, `harmonic-${name}`, true);
     expect(await complaints(page)).toEqual([]);
