@@ -34,20 +34,7 @@ const meshes = readdirSync(meshFolder).filter((name) => name.endsWith('.obj'));
 
 const initialSpecs = operators.map(({ id }) => ({ id }) as OperatorSpec);
 
-/**
- * The mesh to compare on: the file as it is, but for a trace of noise where faces are regular. The corners of such a face lie on a circle, and which of
- * its equally good diagonals are taken, on which a mass may depend, rounding decides.
- */
-function fileOf(name: string): string {
-  const path = fileURLToPath(new URL(name, meshFolder));
-  if (!name.startsWith('hexagon-sphere')) return path;
-  const noisy = join(scratch, name);
-  const session = polylap.open(readMesh(name), name);
-  writeFileSync(noisy, session.convert({ conversion: 'noise', amplitude: 0.01 }).file('obj'));
-  return noisy;
-}
-const scratch = mkdtempSync(join(tmpdir(), 'polylap-'));
-afterAll(() => rmSync(scratch, { recursive: true }));
+const fileOf = (name: string) => fileURLToPath(new URL(name, meshFolder));
 
 /** Each operator as it starts, and with every choice, or two more values, of each parameter. */
 const specs: OperatorSpec[] = operators.flatMap(({ id, parameters }) => [

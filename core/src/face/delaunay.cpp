@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <optional>
+#include <span>
 
 #include "face/triangulation_rules.hpp"
 
@@ -22,20 +24,31 @@ struct Angle {
     }
 };
 
-/// The angles at c and d opposite the edge a–b add to more than π by this much in sine before the edge is flipped:
-/// cocircular corners stay.
-constexpr double flip_tolerance = 1e-14;
+/// What the angles at c and d, opposite the edge a–b, add to: more than π, π, or less.
+enum class AngleSum : std::uint8_t { more, tie, less };
+
+/// A tie: moving each corner by the tie distance can turn the sum to either side of π; the four then lie on a circle.
+AngleSum angle_sum(const PlanePolygon& p, Index a, Index b, Index c, Index d) {
+    const Angle at_c(p, a, c, b);
+    const Angle at_d(p, b, d, a);
+    const double ac = (p[a] - p[c]).norm();
+    const double bc = (p[b] - p[c]).norm();
+    const double ad = (p[a] - p[d]).norm();
+    const double bd = (p[b] - p[d]).norm();
+    const double scale = ac * bc * ad * bd;
+    const double sine = (at_c.sine * at_d.cosine + at_c.cosine * at_d.sine) / scale;
+    const double cosine = (at_c.cosine * at_d.cosine - at_c.sine * at_d.sine) / scale;
+    const double tolerance = p.tie_distance() * (1 / ac + 1 / bc + 1 / ad + 1 / bd);
+    if (std::abs(sine) <= tolerance && cosine < 0) return AngleSum::tie;
+    return sine < 0 ? AngleSum::more : AngleSum::less;
+}
 
 /// Edge a → b with c on its left and d on its right is not locally Delaunay: cot(c) + cot(d) < 0.
 bool should_flip(const PlanePolygon& p, Index a, Index b, Index c, Index d) {
-    const Angle at_c(p, a, c, b);
-    const Angle at_d(p, b, d, a);
-    const double sum = at_c.sine * at_d.cosine + at_c.cosine * at_d.sine;
-    const double scale = (p[a] - p[c]).norm() * (p[b] - p[c]).norm() * (p[a] - p[d]).norm() * (p[b] - p[d]).norm();
-    return sum < -flip_tolerance * scale && p.side(c, a, d) > 0 && p.side(d, b, c) > 0;
+    return angle_sum(p, a, b, c, d) == AngleSum::more && p.side(c, a, d) > 0 && p.side(d, b, c) > 0;
 }
 
-/// The Delaunay cut of a quad, without the machinery.
+/// The Delaunay cut of a quad, without the machinery. In a tie, from corner 0.
 Status cut_quad(const PlanePolygon& p, std::vector<Triangle>& out) {
     const bool cut02 = p.side(0, 1, 2) > 0 && p.side(0, 2, 3) > 0;
     const bool cut13 = p.side(0, 1, 3) > 0 && p.side(1, 2, 3) > 0;
@@ -191,6 +204,94 @@ void make_delaunay(const PlanePolygon& polygon, LinkedTriangles& mesh) {
     }
 }
 
+/// Where triangles share a circle, all ways to cut what they fill are Delaunay, and which one the flips end with is up
+/// to rounding and the first ears. That part, whose corners go around in ascending order, gets the fan from the lowest.
+class TieBreaker {
+public:
+    TieBreaker(const PlanePolygon& polygon, const LinkedTriangles& mesh)
+        : polygon_(polygon), mesh_(mesh), leader_(mesh.triangles.size()) {
+        std::iota(leader_.begin(), leader_.end(), std::size_t{0});
+    }
+
+    void run(std::vector<Triangle>& out) {
+        join_ties();
+        std::vector<std::size_t> order(leader_.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::stable_sort(order.begin(), order.end(),
+                         [this](std::size_t t, std::size_t s) { return leader_[t] < leader_[s]; });
+        out.clear();
+        for (std::size_t first = 0; first < order.size();) {
+            std::size_t end = first;
+            while (end < order.size() && leader_[order[end]] == leader_[order[first]]) {
+                ++end;
+            }
+            const auto part = std::span(order).subspan(first, end - first);
+            if (!fan(part, out)) {
+                for (const std::size_t t : part) {
+                    out.push_back(mesh_.triangles[t]);
+                }
+            }
+            first = end;
+        }
+    }
+
+private:
+    std::size_t find(std::size_t t) {
+        while (leader_[t] != t) {
+            t = leader_[t] = leader_[leader_[t]];
+        }
+        return t;
+    }
+
+    /// Leaves in leader_ the lowest triangle of each one's part.
+    void join_ties() {
+        for (std::size_t t = 0; t < leader_.size(); ++t) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto s = static_cast<std::size_t>(mesh_.neighbour[t][k]);
+                if (mesh_.neighbour[t][k] < 0 || s < t) continue;
+                const Triangle& own = mesh_.triangles[t];
+                const auto& sides = mesh_.neighbour[s];
+                const auto l = static_cast<std::size_t>(std::find(sides.begin(), sides.end(), static_cast<Index>(t)) -
+                                                        sides.begin());
+                const Index across = mesh_.triangles[s][(l + 2) % 3];
+                if (angle_sum(polygon_, own[k], own[(k + 1) % 3], own[(k + 2) % 3], across) != AngleSum::tie) continue;
+                const std::size_t one = find(t);
+                const std::size_t other = find(s);
+                leader_[std::max(one, other)] = std::min(one, other);
+            }
+        }
+        for (std::size_t t = 0; t < leader_.size(); ++t) {
+            leader_[t] = find(t);
+        }
+    }
+
+    /// False, and nothing is added, if a triangle would have no area: on a circle that is hardly a curve.
+    bool fan(std::span<const std::size_t> part, std::vector<Triangle>& out) {
+        if (part.size() == 1) return false;
+        corners_.clear();
+        for (const std::size_t t : part) {
+            corners_.insert(corners_.end(), mesh_.triangles[t].begin(), mesh_.triangles[t].end());
+        }
+        std::sort(corners_.begin(), corners_.end());
+        corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
+        const std::size_t before = out.size();
+        for (std::size_t k = 1; k + 1 < corners_.size(); ++k) {
+            const Triangle t{corners_[0], corners_[k], corners_[k + 1]};
+            if (polygon_.side(t[0], t[1], t[2]) <= 0) {
+                out.resize(before);
+                return false;
+            }
+            out.push_back(t);
+        }
+        return true;
+    }
+
+    const PlanePolygon& polygon_;
+    const LinkedTriangles& mesh_;
+    std::vector<std::size_t> leader_;
+    std::vector<Index> corners_;
+};
+
 }  // namespace
 
 Status cut_delaunay(const PlanePolygon& polygon, std::vector<Triangle>& out) {
@@ -198,7 +299,7 @@ Status cut_delaunay(const PlanePolygon& polygon, std::vector<Triangle>& out) {
     auto mesh = EarClipper(polygon).run();
     if (!mesh) return too_thin();
     make_delaunay(polygon, *mesh);
-    out = std::move(mesh->triangles);
+    TieBreaker(polygon, *mesh).run(out);
     return Done{};
 }
 

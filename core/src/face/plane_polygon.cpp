@@ -35,6 +35,10 @@ int PlanePolygon::side_of_noise(double area, double lengths) const {
     return area > noise ? 1 : (area < -noise ? -1 : 0);
 }
 
+double PlanePolygon::tie_distance() const noexcept {
+    return 0x1p-42 * diameter_;
+}
+
 bool PlanePolygon::strictly_convex() const {
     Index turns = 0;  // how often the direction of the edges passes that of the x axis
     for (Index i = 0; i < size(); ++i) {

@@ -21,6 +21,11 @@ public:
     /// +1, 0 or -1: c lies left of, on, or right of the line a → b. On: within rounding of the coordinates.
     int side(Index a, Index b, Index c) const;
 
+    /// Lengths that differ by less tie, as do angles that corners moved by less could make equal: they were the same
+    /// before rounding. 2^-42 of the diameter: coordinates of a mesh of a thousand times that size round by this much,
+    /// and projections and turns in space add little.
+    double tie_distance() const noexcept;
+
     /// Turns left at every corner and once around; straight corners do not count as turns.
     bool strictly_convex() const;
 

@@ -11,25 +11,40 @@ bool between(Index a, Index b, Index x) {
     return a < x && x < b;
 }
 
+struct Diagonal {
+    double length;
+    Index i, j;
+};
+
+/// Shortest first. Runs that tie, each with the one before it, are in the order of their corners.
+void sort_by_length(std::vector<Diagonal>& diagonals, double tie_distance) {
+    std::sort(diagonals.begin(), diagonals.end(),
+              [](const Diagonal& a, const Diagonal& b) { return a.length < b.length; });
+    for (auto first = diagonals.begin(); first != diagonals.end();) {
+        const auto last = std::adjacent_find(first, diagonals.end(), [=](const Diagonal& a, const Diagonal& b) {
+            return b.length - a.length > tie_distance;
+        });
+        const auto end = last == diagonals.end() ? last : last + 1;
+        std::sort(first, end,
+                  [](const Diagonal& a, const Diagonal& b) { return std::pair(a.i, a.j) < std::pair(b.i, b.j); });
+        first = end;
+    }
+}
+
 }  // namespace
 
 Status cut_shortest_diagonal(const PlanePolygon& polygon, std::vector<Triangle>& out) {
-    struct Diagonal {
-        double squared_length;
-        Index i, j;
-    };
     const Index n = polygon.size();
     const Chords inside(polygon);
     std::vector<Diagonal> candidates;
     for (Index i = 0; i < n; ++i) {
         for (Index j = i + 2; j < n; ++j) {
             if (polygon.next(j) != i && inside.has(i, j)) {
-                candidates.push_back({(polygon[j] - polygon[i]).squaredNorm(), i, j});
+                candidates.push_back({(polygon[j] - polygon[i]).norm(), i, j});
             }
         }
     }
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Diagonal& a, const Diagonal& b) { return a.squared_length < b.squared_length; });
+    sort_by_length(candidates, polygon.tie_distance());
     Chords chosen(n);
     std::vector<Diagonal> taken;
     for (const Diagonal& d : candidates) {

@@ -10,9 +10,15 @@
 namespace polylap {
 
 /// How a planar polygon is cut into n-2 triangles by diagonals that lie inside it.
+///
+/// Often several cuts are equally good, all of a regular polygon's for delaunay. What differs by no more than rounding,
+/// of a mesh up to a thousand times as large, counts as equal, and the corners' numbers decide: a regular polygon looks
+/// the same from each corner, so nothing else could and outlast a turn in space. The cut is thus the same on every
+/// machine and wherever the mesh is moved to; only a face that begins at another corner may be cut differently.
 enum class TriangulationRule : std::uint8_t {
-    delaunay,       ///< Constrained Delaunay: least Dirichlet energy (Rippa 1990), inner diagonals get weights ≥ 0.
-    min_max_angle,  ///< Smallest largest angle; ties by the next largest, and so on.
+    delaunay,  ///< Constrained Delaunay: least Dirichlet energy (Rippa 1990), inner diagonals get weights ≥ 0, up to
+               ///< rounding. Corners on a circle are cut from the lowest.
+    min_max_angle,      ///< Smallest largest angle; ties by the next largest, and so on.
     shortest_diagonal,  ///< The shortest inside diagonal first, then the shortest that does not cross it, and so on.
     fan,                ///< All diagonals from the first corner from which all triangles lie inside and have area.
 };
