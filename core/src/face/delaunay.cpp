@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <queue>
 #include <span>
 
 #include "face/triangulation_rules.hpp"
@@ -74,6 +75,7 @@ public:
     explicit EarClipper(const PlanePolygon& polygon)
         : polygon_(polygon),
           size_(static_cast<std::size_t>(polygon.size())),
+          convex_(polygon.strictly_convex()),
           next_(size_),
           previous_(size_),
           across_(size_, -1),
@@ -88,17 +90,17 @@ public:
         LinkedTriangles mesh;
         rate_all();
         for (Index left = polygon_.size(); left > 3; --left) {
-            auto best = std::max_element(quality_.begin(), quality_.end());
-            if (*best <= 0) {
+            Index best = take_best();
+            if (best < 0) {
                 rate_all();  // a corner that blocked others may be gone
-                best = std::max_element(quality_.begin(), quality_.end());
-                if (*best <= 0) return std::nullopt;
+                best = take_best();
+                if (best < 0) return std::nullopt;
             }
-            cut(static_cast<Index>(best - quality_.begin()), mesh);
+            cut(best, mesh);
         }
         // Three corners are left; the last triangle closes all three sides.
-        const auto v = static_cast<Index>(std::max_element(quality_.begin(), quality_.end()) - quality_.begin());
-        if (at(quality_, v) <= 0) return std::nullopt;
+        const Index v = take_best();
+        if (v < 0) return std::nullopt;
         const Index behind = at(across_, at(next_, v));
         cut(v, mesh);
         link(mesh, static_cast<Index>(mesh.triangles.size()) - 1, 2, behind);
@@ -117,6 +119,16 @@ private:
         }
     }
 
+    /// The best of the ears as they are rated now, of equals the lowest; -1 if there is none.
+    Index take_best() {
+        while (!ears_.empty()) {
+            const Ear ear = ears_.top();
+            ears_.pop();
+            if (ear.quality == at(quality_, ear.corner)) return ear.corner;
+        }
+        return -1;
+    }
+
     /// Quality of the ear at v: 0 if it is none, otherwise twice its area over its squared edge lengths; -1 marks a
     /// corner that is gone.
     void rate(Index v) {
@@ -124,13 +136,14 @@ private:
         const Index q = at(next_, v);
         at(quality_, v) = 0;
         if (polygon_.side(p, v, q) <= 0) return;
-        for (Index w = at(next_, q); w != p; w = at(next_, w)) {
+        for (Index w = at(next_, q); !convex_ && w != p; w = at(next_, w)) {
             if (polygon_.side(p, v, w) >= 0 && polygon_.side(v, q, w) >= 0 && polygon_.side(q, p, w) >= 0) return;
         }
         const Angle angle(polygon_, q, v, p);
         at(quality_, v) =
             angle.sine / ((polygon_[p] - polygon_[v]).squaredNorm() + (polygon_[q] - polygon_[v]).squaredNorm() +
                           (polygon_[q] - polygon_[p]).squaredNorm());
+        if (at(quality_, v) > 0) ears_.push({at(quality_, v), v});
     }
 
     void cut(Index v, LinkedTriangles& mesh) {
@@ -156,11 +169,21 @@ private:
         at(mesh.neighbour, other)[2] = t;
     }
 
+    struct Ear {
+        double quality;
+        Index corner;
+        friend bool operator<(const Ear& a, const Ear& b) {
+            return a.quality < b.quality || (a.quality == b.quality && a.corner > b.corner);
+        }
+    };
+
     const PlanePolygon& polygon_;
     std::size_t size_;
+    bool convex_;  ///< Then nothing is ever in an ear's triangle.
     std::vector<Index> next_, previous_;
     std::vector<Index> across_;  ///< Triangle already cut off along the edge i → next(i), or -1.
     std::vector<double> quality_;
+    std::priority_queue<Ear> ears_;  ///< Also with ratings that have changed since.
 };
 
 /// Lawson's flips: each lowers the Dirichlet energy, so they end; the bound only guards against rounding.
