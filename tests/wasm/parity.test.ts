@@ -266,23 +266,22 @@ describe.each(meshes)('%s', (name) => {
     });
   });
 
+  // With noise: where pairs of triangles tie, rounding decides which become quads, and each build rounds sums in its own way.
   const noisy = session.convert({ conversion: 'noise', amplitude: 0.1 });
-  it.each(conversions)('as it is and with noise, converted by $id', ({ id }) => {
-    for (const start of [session, noisy]) {
-      inFolder((folder) => {
-        const [given, out] = [join(folder, 'given.obj'), join(folder, 'out.obj')];
-        writeFileSync(given, start.file('obj'));
-        let ours: Session | undefined;
-        const keep = () => {
-          ours = start.convert({ conversion: id } as ConversionSpec);
-        };
-        compare(
-          keep,
-          () => native('convert', given, '--to', id, '-o', out),
-          () => expectSameMesh(ours, out),
-        );
-      });
-    }
+  it.each(conversions)('with noise, converted by $id', ({ id }) => {
+    inFolder((folder) => {
+      const [given, out] = [join(folder, 'noisy.obj'), join(folder, 'out.obj')];
+      writeFileSync(given, noisy.file('obj'));
+      let ours: Session | undefined;
+      const keep = () => {
+        ours = noisy.convert({ conversion: id } as ConversionSpec);
+      };
+      compare(
+        keep,
+        () => native('convert', given, '--to', id, '-o', out),
+        () => expectSameMesh(ours, out),
+      );
+    });
   });
 
   it.each(['obj', 'off', 'ply', 'stl'] as const)('as %s', (format) => {
