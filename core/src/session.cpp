@@ -75,10 +75,10 @@ struct Session::Impl {
     Cache<DirichletKey, DirichletProblem, 4> problems;
     Cache<MatricesKey, PropertyReport, 4> reports;
 
-    explicit Impl(PolygonMesh mesh)
+    Impl(PolygonMesh mesh, DisplayTriangles triangles)
         : loaded(std::move(mesh)),
           topology(build_topology(*loaded.connectivity())),
-          display(triangulate_for_display(loaded)),
+          display(std::move(triangles)),
           origin(0.5 * (loaded.positions().colwise().minCoeff() + loaded.positions().colwise().maxCoeff()).transpose()),
           sides{SideState{default_spec(0), loaded}, SideState{default_spec(1), loaded}} {}
 
@@ -109,8 +109,12 @@ Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 Session::~Session() = default;
 
-Result<Session> Session::from_mesh(PolygonMesh mesh) {
-    return guard_memory([&]() -> Result<Session> { return Session(std::make_unique<Impl>(std::move(mesh))); });
+Result<Session> Session::from_mesh(PolygonMesh mesh, Monitor monitor) {
+    return guard_memory([&]() -> Result<Session> {
+        auto triangles = triangulate_for_display(mesh, monitor);
+        if (!triangles) return triangles.error();
+        return Session(std::make_unique<Impl>(std::move(mesh), *std::move(triangles)));
+    });
 }
 
 Result<Session> Session::open(std::span<const std::byte> bytes, std::string_view name, Monitor monitor) {
@@ -123,19 +127,22 @@ Result<Session> Session::open(std::span<const std::byte> bytes, std::string_view
         const auto format = format_of(name);
         if (!format) return format.error();
         if (!options.repair) {
-            auto read = read_mesh_with_notes(bytes, *format, monitor);
+            Stretch reading{monitor, 0, 0.8};
+            Stretch cutting{monitor, 0.8, 1};
+            auto read = read_mesh_with_notes(bytes, *format, reading.monitor());
             if (!read) return read.error();
-            auto session = from_mesh(std::move(read->mesh));
+            auto session = from_mesh(std::move(read->mesh), cutting.monitor());
             if (session) session->impl_->notes = std::move(read->notes);
             return session;
         }
-        Stretch reading{monitor, 0, 0.5};
-        Stretch repairing{monitor, 0.5, 1};
+        Stretch reading{monitor, 0, 0.4};
+        Stretch repairing{monitor, 0.4, 0.8};
+        Stretch cutting{monitor, 0.8, 1};
         auto raw = read_raw(bytes, *format, reading.monitor());
         if (!raw) return raw.error();
         auto repaired = repair(*raw, options.repair_options, repairing.monitor());
         if (!repaired) return repaired.error();
-        auto session = from_mesh(std::move(repaired->mesh));
+        auto session = from_mesh(std::move(repaired->mesh), cutting.monitor());
         if (session) {
             session->impl_->notes = std::move(raw->notes);
             session->impl_->repairs = {std::move(repaired->changes), std::move(repaired->original_vertices),

@@ -22,7 +22,7 @@ Vector3 area_of(const PolygonMesh& mesh, const std::array<Index, 3>& t) {
 
 TEST(DisplayTriangles, FillEachFaceInTurn) {
     for (const auto& [name, mesh] : zoo()) {
-        const DisplayTriangles display = triangulate_for_display(mesh);
+        const DisplayTriangles display = get(triangulate_for_display(mesh));
         ASSERT_EQ(display.triangles.size(), display.edges.size());
         ASSERT_EQ(display.triangles.size(), display.face.size());
         std::size_t t = 0;
@@ -69,7 +69,8 @@ TEST(DisplayTriangles, AreThePlanarOperators) {
     };
     std::vector<std::array<Index, 3>> a;
     std::vector<std::array<Index, 3>> b;
-    for (const auto& t : triangulate_for_display(mesh).triangles) {
+    const DisplayTriangles display = get(triangulate_for_display(mesh));
+    for (const auto& t : display.triangles) {
         a.push_back(key(t));
     }
     for (const auto& t : triangles) {
@@ -80,11 +81,26 @@ TEST(DisplayTriangles, AreThePlanarOperators) {
     EXPECT_EQ(a, b);
 }
 
+TEST(DisplayTriangles, CanBeCancelled) {
+    const PolygonMesh mesh = get(make_grid(80, 80));
+    Ticks all;
+    ASSERT_TRUE(triangulate_for_display(mesh, all.monitor()).ok());
+    EXPECT_GT(all.fractions.size(), 3u);
+    EXPECT_TRUE(all.rise());
+    for (const std::size_t at : {std::size_t{1}, std::size_t{2}, all.fractions.size()}) {
+        Ticks some{.fractions = {}, .stop_at = at};
+        const auto cancelled = triangulate_for_display(mesh, some.monitor());
+        ASSERT_FALSE(cancelled.ok());
+        EXPECT_EQ(cancelled.error().code, ErrorCode::cancelled);
+        EXPECT_EQ(some.fractions.size(), at);
+    }
+}
+
 TEST(DisplayTriangles, FacesThatCannotBeCutGetAFan) {
     const auto mesh =
         make_mesh({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {4, 0, 0}, {1, 1, 0}, {3, 1.5, 0}, {5, 0, 0}},
                   {{0, 1, 2, 3}, {0, 4, 5, 6}, {0, 2, 4, 7}, {0, 2, 1}});
-    const DisplayTriangles display = triangulate_for_display(mesh);
+    const DisplayTriangles display = get(triangulate_for_display(mesh));
     EXPECT_EQ(display.face, (std::vector<Index>{0, 0, 1, 1, 2, 2, 3}));
     EXPECT_EQ(display.triangles[0], (std::array<Index, 3>{0, 1, 2}));
     EXPECT_EQ(display.triangles[1], (std::array<Index, 3>{0, 2, 3}));
@@ -112,7 +128,7 @@ TEST(Draping, LaysChainsOnTheSurface) {
     int bent = 0;
     for (const char* name : {"saddle-7", "torus-10x7-noisy", "wavy-8", "regular-6", "three-quads-on-an-edge"}) {
         const auto& mesh = specimen(name);
-        const auto display = triangulate_for_display(mesh);
+        const auto display = get(triangulate_for_display(mesh));
         std::vector<Weight> pairs;
         for (Index f = 0; f < mesh.face_count(); f += 5) {  // every pair of corners, edges included
             const auto face = mesh.face(f);
@@ -156,7 +172,7 @@ TEST(Draping, StopsWithAnEvenChoiceOfWholeLines) {
     const auto negative = summarise_weights(get(build_operator(mesh, {"alexa-wardetzky", {1}})).stiffness).negative;
     ASSERT_GT(negative.size(), 200'000u);
     constexpr std::size_t most = 20'000;
-    const SurfaceLines lines = drape_pairs(mesh, triangulate_for_display(mesh), negative, most);
+    const SurfaceLines lines = drape_pairs(mesh, get(triangulate_for_display(mesh)), negative, most);
     EXPECT_GE(lines.segments.size(), most);
     EXPECT_LT(lines.segments.size(), most + 1000);
     std::vector<Index> drawn;
@@ -182,11 +198,11 @@ TEST(Draping, StopsWithAnEvenChoiceOfWholeLines) {
 TEST(Draping, PairsWithoutACommonFaceAreStraight) {
     const auto& grid = specimen("grid-2x2");
     const std::vector<Weight> pairs{{0, 8, -1}};
-    const SurfaceLines lines = drape_pairs(grid, triangulate_for_display(grid), pairs);
+    const SurfaceLines lines = drape_pairs(grid, get(triangulate_for_display(grid)), pairs);
     ASSERT_EQ(lines.segments.size(), 1u);
     EXPECT_EQ(lines.segments[0][0], grid.position(0));
     EXPECT_EQ(lines.segments[0][1], grid.position(8));
-    EXPECT_TRUE(drape_pairs(grid, triangulate_for_display(grid), {}).segments.empty());
+    EXPECT_TRUE(drape_pairs(grid, get(triangulate_for_display(grid)), {}).segments.empty());
 }
 
 }  // namespace

@@ -36,7 +36,8 @@ public:
     static Result<Session> open(std::span<const std::byte> bytes, std::string_view name, Monitor monitor = {});
     static Result<Session> open(std::span<const std::byte> bytes, std::string_view name, const OpenOptions& options,
                                 Monitor monitor = {});
-    static Result<Session> from_mesh(PolygonMesh mesh);
+    /// @error out_of_memory, cancelled
+    static Result<Session> from_mesh(PolygonMesh mesh, Monitor monitor = {});
 
     Session(Session&&) noexcept;
     Session& operator=(Session&&) noexcept;

@@ -178,31 +178,42 @@ private:
 
 }  // namespace
 
-DisplayTriangles triangulate_for_display(const PolygonMesh& mesh) {
-    DisplayTriangles display;
-    std::vector<Vector3> corners;
-    Projection projection;
-    std::vector<Triangle> local;
-    for (Index f = 0; f < mesh.face_count(); ++f) {
-        const auto face = mesh.face(f);
-        const auto n = static_cast<Index>(face.size());
-        gather_corners(mesh, f, corners);
-        const bool cut = project_maximally(corners, projection) &&
-                         triangulate_polygon(projection.points, TriangulationRule::delaunay, local).ok();
-        if (!cut) cut_fan_blindly(n, local);
-        for (const Triangle& t : local) {
-            std::array<Index, 3> vertices{};
-            unsigned edges = 0;
-            for (std::size_t k = 0; k < 3; ++k) {
-                vertices[k] = face[static_cast<std::size_t>(t[k])];
-                if (t[(k + 1) % 3] == (t[k] + 1 == n ? 0 : t[k] + 1)) edges |= 1U << k;
+Result<DisplayTriangles> triangulate_for_display(const PolygonMesh& mesh, Monitor monitor) {
+    return guard_memory([&]() -> Result<DisplayTriangles> {
+        constexpr std::size_t corners_per_tick = 4096;
+        const auto all = static_cast<double>(mesh.connectivity()->corners.size());
+        std::size_t done = 0;
+        std::size_t next_tick = 0;
+        DisplayTriangles display;
+        std::vector<Vector3> corners;
+        Projection projection;
+        std::vector<Triangle> local;
+        for (Index f = 0; f < mesh.face_count(); ++f) {
+            const auto face = mesh.face(f);
+            const auto n = static_cast<Index>(face.size());
+            if (done >= next_tick) {
+                if (!monitor.proceed(static_cast<double>(done) / all)) return Error{ErrorCode::cancelled, "cancelled"};
+                next_tick = done + corners_per_tick;
             }
-            display.triangles.push_back(vertices);
-            display.edges.push_back(static_cast<std::uint8_t>(edges));
-            display.face.push_back(f);
+            done += face.size();
+            gather_corners(mesh, f, corners);
+            const bool cut = project_maximally(corners, projection) &&
+                             triangulate_polygon(projection.points, TriangulationRule::delaunay, local).ok();
+            if (!cut) cut_fan_blindly(n, local);
+            for (const Triangle& t : local) {
+                std::array<Index, 3> vertices{};
+                unsigned edges = 0;
+                for (std::size_t k = 0; k < 3; ++k) {
+                    vertices[k] = face[static_cast<std::size_t>(t[k])];
+                    if (t[(k + 1) % 3] == (t[k] + 1 == n ? 0 : t[k] + 1)) edges |= 1U << k;
+                }
+                display.triangles.push_back(vertices);
+                display.edges.push_back(static_cast<std::uint8_t>(edges));
+                display.face.push_back(f);
+            }
         }
-    }
-    return display;
+        return display;
+    });
 }
 
 SurfaceLines drape_pairs(const PolygonMesh& mesh, const DisplayTriangles& display, std::span<const Weight> pairs,

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "polylap/apply/diagnostics.hpp"
+#include "polylap/base/monitor.hpp"
+#include "polylap/base/result.hpp"
 
 namespace polylap {
 
@@ -19,7 +21,8 @@ struct DisplayTriangles {
 
 /// The Delaunay triangulation of each projected face, the planar operator's own. A face that has none (crossing itself,
 /// no area) gets a plain fan.
-DisplayTriangles triangulate_for_display(const PolygonMesh& mesh);
+/// @error out_of_memory, cancelled (asked between faces)
+Result<DisplayTriangles> triangulate_for_display(const PolygonMesh& mesh, Monitor monitor = {});
 
 /// Lines between vertex pairs, laid on the display triangles of a face that both vertices share, so that they neither
 /// float nor sink.
