@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
-#include <tuple>
+#include <cmath>
+#include <cstdint>
 
 #include <Eigen/Geometry>
 
@@ -9,11 +10,15 @@
 namespace polylap {
 namespace {
 
+/// Qualities are compared in steps of this size, so that the order of the edges decides between pairs of equal shape
+/// and not rounding.
+constexpr double quality_step = 1e-9;
+
 /// Two triangles that could become the quad with these corners.
 struct Pair {
     std::array<Index, 2> triangles;
     std::array<Index, 4> quad;
-    double quality;
+    std::int64_t quality;  ///< In steps.
 };
 
 /// The least of 2 n·(e × e') / (|e|² + |e'|²) over the corners, n the unit vector area: 1 for a planar square, 0 or
@@ -61,7 +66,8 @@ std::vector<Pair> candidates(const PolygonMesh& mesh) {
         const bool joinable = next - k == 2 && a.triangle && b.triangle && a.from == b.to && a.across != b.across;
         if (!joinable) continue;
         const std::array<Index, 4> quad{a.from, b.across, a.to, a.across};
-        const double quality = quad_quality(mesh, quad);
+        // To the nearest step: the simple figures of regular meshes then lie amid one, not between two.
+        const auto quality = static_cast<std::int64_t>(std::llround(quad_quality(mesh, quad) / quality_step));
         if (quality > 0) pairs.push_back({{a.face, b.face}, quad, quality});
     }
     std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.quality > b.quality; });
