@@ -120,20 +120,6 @@ constexpr Check checks[] = {{&PropertyClaims::symmetric, asymmetry, 1000},
                             {&PropertyClaims::linear_precision, imprecision, 1000},
                             {&PropertyClaims::maximum_principle, overshoot, 170}};
 
-bool claimed(Claim claim, const PolygonMesh& mesh) {
-    switch (claim) {
-        case Claim::yes:
-            return true;
-        case Claim::planar:
-            return planar_faces(mesh);
-        case Claim::triangles:
-            return only_triangles(mesh);
-        case Claim::no:
-            return false;
-    }
-    return false;
-}
-
 class Claims : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(Claims, HoldWhereClaimedAndFailWhereNot) {

@@ -20,20 +20,6 @@ namespace {
 
 using Verdict = Measurement::Verdict;
 
-bool claimed(Claim claim, const PolygonMesh& mesh) {
-    switch (claim) {
-        case Claim::yes:
-            return true;
-        case Claim::planar:
-            return planar_faces(mesh);
-        case Claim::triangles:
-            return only_triangles(mesh);
-        case Claim::no:
-            return false;
-    }
-    return false;
-}
-
 /// What the report says where it can be computed plainly.
 void compare_with_dense(const PolygonMesh& mesh, const OperatorMatrices& matrices, const PropertyReport& report) {
     const Topology topology = build_topology(*mesh.connectivity());

@@ -204,6 +204,7 @@ TEST(Claims, HaveNames) {
     EXPECT_EQ(claim_name(Claim::yes), "yes");
     EXPECT_EQ(claim_name(Claim::planar), "planar");
     EXPECT_EQ(claim_name(Claim::triangles), "triangles");
+    EXPECT_EQ(claim_name(Claim::some), "some");
     EXPECT_EQ(claim_name(Claim::no), "no");
 }
 

@@ -275,6 +275,21 @@ double bounding_size(const PolygonMesh& mesh) {
     return (mesh.positions().colwise().maxCoeff() - mesh.positions().colwise().minCoeff()).norm();
 }
 
+bool claimed(Claim claim, const PolygonMesh& mesh) {
+    switch (claim) {
+        case Claim::yes:
+            return true;
+        case Claim::planar:
+            return planar_faces(mesh);
+        case Claim::triangles:
+            return only_triangles(mesh);
+        case Claim::some:
+        case Claim::no:
+            return false;
+    }
+    return false;
+}
+
 std::vector<OperatorSpec> all_specs() {
     std::vector<OperatorSpec> specs;
     for (const OperatorInfo* info : operators()) {

@@ -72,6 +72,9 @@ inline bool planar_faces(const PolygonMesh& mesh) {
 std::vector<Index> flat_inner_vertices(const PolygonMesh& mesh);
 double bounding_size(const PolygonMesh& mesh);
 
+/// Whether a claim speaks for a mesh, whatever the parameters.
+bool claimed(Claim claim, const PolygonMesh& mesh);
+
 /// Each operator of the table with its initial values, and with one parameter at a time at each of its choices or at
 /// several values.
 std::vector<OperatorSpec> all_specs();

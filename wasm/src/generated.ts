@@ -610,8 +610,8 @@ export const operators: readonly OperatorInfo[] = [
         why: 'a negative weight lets values overshoot',
       },
       convergent: {
-        where: 'yes',
-        why: 'linear finite elements; the mass `ring` alone is six times the area',
+        where: 'some',
+        why: 'linear finite elements; not with the mass ring, which is six times the area',
       },
     },
     formulaMathml: '<math display="block" class="tml-display"><mrow><msub><mi>w</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub><mo>=</mo><mstyle displaystyle="false" scriptlevel="0"><mfrac><mn>1</mn><mn>2</mn></mfrac></mstyle><mrow><mo fence="true" form="prefix" stretchy="true">(</mo><mrow><mi>cot</mi><mo>⁡</mo><mspace width="0.1667em"></mspace></mrow><msub><mi>γ</mi><mrow><mi>i</mi><mi>j</mi></mrow></msub><mo>+</mo><mrow><mi>cot</mi><mo>⁡</mo><mspace width="0.1667em"></mspace></mrow><msub><mi>γ</mi><mrow><mi>j</mi><mi>i</mi></mrow></msub><mo fence="true" form="postfix" stretchy="true">)</mo></mrow></mrow></math>',
@@ -739,8 +739,8 @@ export const operators: readonly OperatorInfo[] = [
         why: 'negative weights let values overshoot',
       },
       convergent: {
-        where: 'yes',
-        why: 'consistent on linear functions, stabilised by λ > 0',
+        where: 'some',
+        why: 'consistent on linear functions; λ = 0 stabilises nothing, and large λ drowns the rest',
       },
     },
     formulaMathml: '<math display="block" class="tml-display"><mrow><msub><mi>S</mi><mi>f</mi></msub><mo>=</mo><msup><mi>δ</mi><mrow><mi mathvariant="normal">T</mi><mspace></mspace></mrow></msup><mo fence="true" symmetric="true" minsize="1.8em" maxsize="1.8em">(</mo><mstyle displaystyle="false" scriptlevel="0"><mfrac><mn>1</mn><mrow><mi>|</mi><mi>a</mi><mi>|</mi></mrow></mfrac></mstyle><mspace width="0.1667em"></mspace><mi>B</mi><msup><mi>B</mi><mrow class="tml-med-pad"><mi mathvariant="normal">T</mi><mspace></mspace></mrow></msup><mo>+</mo><mi>λ</mi><mspace width="0.1667em"></mspace><mi>C</mi><msup><mi>C</mi><mrow class="tml-med-pad"><mi mathvariant="normal">T</mi><mspace></mspace></mrow></msup><mo fence="true" symmetric="true" minsize="1.8em" maxsize="1.8em">)</mo><mi>δ</mi></mrow></math>',

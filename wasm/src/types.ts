@@ -2,7 +2,7 @@
 import type { ConversionSpec, OperatorId, OperatorSpec, PropertyId, ShapeSpec } from './generated.js';
 
 /** Where a property holds: everywhere, on meshes of planar faces, on triangle meshes, or nowhere in general. */
-export type Claim = 'yes' | 'planar' | 'triangles' | 'no';
+export type Claim = 'yes' | 'planar' | 'triangles' | 'some' | 'no';
 
 /** What an operator claims of a property, and why. */
 export interface PropertyClaim {

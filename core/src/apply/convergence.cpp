@@ -1,5 +1,6 @@
 #include "polylap/apply/convergence.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -136,8 +137,8 @@ Result<ConvergenceStudy> study_family(const Family& family, const OperatorSpec& 
         study.levels.push_back(*level);
     }
     study.order = study.levels.empty() ? std::numeric_limits<double>::quiet_NaN() : study.levels.back().order;
-    study.converges =
-        study.failure.empty() && study.order > least_order && study.levels.back().error < study.levels.front().error;
+    study.converges = study.failure.empty() && std::all_of(study.levels.begin() + 1, study.levels.end(),
+                                                           [](const auto& level) { return level.order > least_order; });
     return study;
 }
 

@@ -50,7 +50,8 @@ constinit const OperatorInfo alexa_wardetzky_info{
                .constants_in_kernel = {Claim::yes, "only differences along edges enter"},
                .linear_precision = {Claim::yes, "on planar faces S x is the gradient of the area"},
                .maximum_principle = {Claim::no, "negative weights let values overshoot"},
-               .convergent = {Claim::yes, "consistent on linear functions, stabilised by λ > 0"}},
+               .convergent = {Claim::some,
+                              "consistent on linear functions; λ = 0 stabilises nothing, and large λ drowns the rest"}},
     .build =
         [](const PolygonMesh& mesh, const OperatorSpec& spec, Monitor monitor) {
             return with_lumped_mass(mesh, alexa_wardetzky_stiffness(mesh, {.lambda = spec.values[0]}, monitor));

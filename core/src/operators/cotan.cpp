@@ -24,7 +24,8 @@ constinit const OperatorInfo cotan_info{
                .constants_in_kernel = {Claim::yes, "only differences along edges enter"},
                .linear_precision = {Claim::yes, "S x is the gradient of the area of the triangles"},
                .maximum_principle = {Claim::no, "a negative weight lets values overshoot"},
-               .convergent = {Claim::yes, "linear finite elements; the mass `ring` alone is six times the area"}},
+               .convergent = {Claim::some,
+                              "linear finite elements; not with the mass ring, which is six times the area"}},
     .build =
         [](const PolygonMesh& mesh, const OperatorSpec& spec, Monitor monitor) {
             return cotan_matrices(mesh,

@@ -77,6 +77,8 @@ std::string_view claim_name(Claim claim) noexcept {
             return "planar";
         case Claim::triangles:
             return "triangles";
+        case Claim::some:
+            return "some";
         case Claim::no:
             return "no";
     }

@@ -60,7 +60,7 @@ export function propertyTable(app: App): HTMLElement {
     h(
       'p',
       { class: 'note' },
-      'The word is the claim: yes, planar (where faces are planar), triangles (on triangle meshes) or no. Measured here: ✓ holds, ✗ fails, – not measured.',
+      'The word is the claim: yes, planar (where faces are planar), triangles (on triangle meshes), some (with the initial parameters, not with all) or no. Measured here: ✓ holds, ✗ fails, – not measured.',
     ),
   );
   for (const side of sides) {

@@ -23,7 +23,7 @@ struct ConvergenceStudy {
     bool planar_faces = false;  ///< All faces of all its meshes lie in planes.
     std::vector<ConvergenceLevel> levels;
     double order = 0;        ///< Of the last two levels.
-    bool converges = false;  ///< On all levels: order > least_order, and the last error is below the first.
+    bool converges = false;  ///< The problem was solved on all levels, each time with an order > least_order.
     std::string failure;     ///< Why there are no more levels, e.g. the operator refused a mesh; else empty.
 };
 

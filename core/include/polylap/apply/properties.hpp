@@ -45,8 +45,8 @@ inline constexpr double range_tolerance = 1e-9;
 /// - Sym, Loc, Pos and S 1 = 0 beyond weight_tolerance of the largest diagonal entry.
 /// - Psd: the smallest eigenvalue of (S + Sᵀ)/2 beyond kernel_tolerance of the largest.
 /// - Lin: the largest |Σ S_ij (x_j - x_i)| over flat inner vertices, relative to Σ |S_ij| |x_j - x_i|, beyond
-///   linear_tolerance. Entries within weight_tolerance do not
-///   enter, and a vertex that S joins to others off its plane does not count.
+///   linear_tolerance. Entries within weight_tolerance do not enter, and a vertex that S joins to others off its plane
+///   does not count.
 /// - Max: the harmonic functions that are 1 at one fixed vertex and 0 at the others. Fixed is the boundary; on a closed
 ///   component up to 16 vertices far apart. All of these functions where vertices × fixed vertices ≤ 2 million, which
 ///   is exact: if none leaves [0, 1] (and constants stay), no boundary data does. Otherwise 64 of them, half next to

@@ -13,8 +13,9 @@
 
 namespace polylap {
 
-/// Where a property holds: everywhere, on meshes whose faces are planar, on triangle meshes, or nowhere in general.
-enum class Claim : std::uint8_t { yes, planar, triangles, no };
+/// Where a property holds: everywhere, on meshes whose faces are planar, on triangle meshes, everywhere with the
+/// initial values of the parameters but not with some others (the reason names them), or nowhere in general.
+enum class Claim : std::uint8_t { yes, planar, triangles, some, no };
 std::string_view claim_name(Claim claim) noexcept;
 
 /// What an operator claims of a property, and why: one clause for people.
@@ -24,7 +25,7 @@ struct PropertyClaim {
 };
 
 /// The properties of Wardetzky et al. 2007, "Discrete Laplace operators: no free lunch", as an operator claims them for
-/// all values of its parameters.
+/// all values of its parameters, unless the claim is `some`.
 struct PropertyClaims {
     PropertyClaim symmetric;              ///< S = Sᵀ
     PropertyClaim local;                  ///< S_ij ≠ 0 only where i and j share a face.
@@ -33,9 +34,7 @@ struct PropertyClaims {
     PropertyClaim constants_in_kernel;    ///< S 1 = 0
     PropertyClaim linear_precision;       ///< (S x)ᵢ = 0 at inner vertices whose surroundings lie in one plane.
     PropertyClaim maximum_principle;      ///< Harmonic functions stay within the range of their boundary values.
-    /// Solutions approach the smooth ones under refinement; for parameters off the ends of their ranges, where a
-    /// stabiliser may vanish, and masses that sum to the area.
-    PropertyClaim convergent;
+    PropertyClaim convergent;             ///< Solutions approach the smooth ones under refinement.
 };
 
 /// One line of the property table.
