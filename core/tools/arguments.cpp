@@ -145,12 +145,8 @@ void declare_makers(CLI::App& app, Arguments& a, Command& chosen) {
     CLI::App* const make = app.add_subcommand("make", "Make a mesh, see 'polylap shapes'");
     make->add_option("NAME", a.shape.id, "Shape, see 'polylap shapes'")->required();
     add_settings(*make, a.shape.settings, "shape");
-    auto* const noise =
-        add_number(*make, "--noise", "Move vertices along their normals by up to this, in mean edge lengths",
-                   "a number", [&](double value) {
-                       a.noise.amplitude = value;
-                       return true;
-                   });
+    auto* const noise = add_not_negative(
+        *make, "--noise", "Move vertices along their normals by up to this, in mean edge lengths", a.noise.amplitude);
     noise->type_name("X");
     add_whole(*make, "--seed", "Which noise", 0, std::numeric_limits<std::uint32_t>::max(),
               [&](double value) { a.noise.seed = value; })
@@ -244,11 +240,12 @@ void declare_measurements(CLI::App& app, Arguments& a, Command& chosen) {
     CLI::App* const dual =
         app.add_subcommand("dual", "Orthogonal dual: a vertex per face, edges orthogonal to the mesh's");
     add_mesh(*dual, a);
-    add_not_negative(*dual, "--mu", "0: exactly orthogonal; above: the compromise with this weight", a.mu)
+    add_not_negative(*dual, "--mu",
+                     "0: exactly orthogonal; above: nearer to the faces, with this weight on being orthogonal", a.mu)
         ->default_str("0")
         ->type_name("X");
     add_json(*dual, a);
-    add_output(*dual, a, "The dual with all its vertices and edges, JSON (.json) or OBJ with lines");
+    add_output(*dual, a, "The dual with all its vertices and edges, JSON (.json) or OBJ with lines (.obj)");
     dual->callback([&] { chosen = [&] { return tool::dual(a.mesh, a.mu, a.json, a.out); }; });
 }
 

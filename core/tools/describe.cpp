@@ -12,7 +12,7 @@
 namespace polylap::tool {
 namespace {
 
-std::string info_text(const ordered_json& facts) {
+std::string info_text(const ordered_json& facts, const Session& session) {
     std::ostringstream text;
     text << std::setprecision(10);
     const auto line = [&text](const char* label) -> std::ostream& {
@@ -41,11 +41,7 @@ std::string info_text(const ordered_json& facts) {
     line("mean squared edge") << facts["meanSquaredEdge"] << '\n';
     for (const auto& issue : facts["issues"])
         line("issue") << issue["message"].get<std::string>() << '\n';
-    for (const auto& note : facts["notes"])
-        line("note") << note.get<std::string>() << '\n';
-    for (const auto& repair : facts["repairs"])
-        line("repaired") << repair["message"].get<std::string>() << '\n';
-    return text.str();
+    return text.str() + reading_text(session);
 }
 
 const char* kind_name(Parameter::Kind kind) {
@@ -187,7 +183,7 @@ Result<Outputs> info(const MeshChoice& choice, bool json) {
     for (const RepairChange& change : session->repairs().changes)
         facts["repairs"].push_back(
             {{"kind", repair_name(change.kind)}, {"elements", change.elements}, {"message", change.message}});
-    return Outputs{{"-", json ? dump(facts) : info_text(facts)}};
+    return Outputs{{"-", json ? dump(facts) : info_text(facts, *session)}};
 }
 
 Result<Outputs> operator_table(bool json) {

@@ -1,4 +1,5 @@
 // The commands that measure: `check`, `convergence` and `dual`.
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -20,6 +21,10 @@ const char* verdict_name(Measurement::Verdict verdict) {
             return "not-measured";
     }
     return "unknown";
+}
+
+std::string counted(Index count, const char* one, const char* many) {
+    return std::to_string(count) + ' ' + (count == 1 ? one : many);
 }
 
 ordered_json report_json(const PropertyReport& report, const OperatorInfo& info) {
@@ -49,20 +54,28 @@ ordered_json report_json(const PropertyReport& report, const OperatorInfo& info)
 
 std::string report_text(const PropertyReport& report, const OperatorInfo& info) {
     std::ostringstream text;
-    text << std::setprecision(10) << std::left;
-    text << std::setw(22) << "property" << std::setw(11) << "claimed" << std::setw(14) << "measured" << '\n';
+    text << std::setprecision(6) << std::left;
     for (const Measurement& m : report.measurements) {
         const PropertyClaim& claim = info.claims.*m.property->claim;
-        text << std::setw(22) << m.property->id << std::setw(11) << claim_name(claim.where) << std::setw(14)
-             << verdict_name(m.verdict) << m.text << '\n';
+        const bool measured = m.verdict != Measurement::Verdict::not_measured;
+        text << m.property->label << ": " << (measured ? verdict_name(m.verdict) : "not measured") << ", " << m.text
+             << "\n    claimed: " << claim_name(claim.where) << ", " << claim.why << '\n';
     }
+    text << '\n';
     const auto line = [&text](const char* label) -> std::ostream& { return text << std::setw(24) << label; };
-    line("negative weights") << report.negative_ordered << " ordered, " << report.negative_pairs << " pairs\n";
-    line("smallest eigenvalue") << report.smallest_eigenvalue << '\n';
-    line("largest eigenvalue") << report.largest_eigenvalue << '\n';
-    line("kernel dimension") << (report.kernel_complete ? "" : "at least ") << report.kernel_dimension
-                             << "; components " << report.components << '\n';
-    line("condition number") << report.condition << '\n';
+    line("negative weights") << report.negative_ordered << " ordered, "
+                             << counted(report.negative_pairs, "pair", "pairs") << '\n';
+    if (std::isfinite(report.smallest_eigenvalue)) {
+        line("smallest eigenvalue") << report.smallest_eigenvalue << '\n';
+        line("largest eigenvalue") << report.largest_eigenvalue << '\n';
+        line("kernel dimension") << (report.kernel_complete ? "" : "at least ") << report.kernel_dimension << " on "
+                                 << counted(report.components, "component", "components") << '\n';
+        line("condition number");
+        if (std::isfinite(report.condition))
+            text << report.condition << '\n';
+        else
+            text << "unknown: no eigenvalue beside the kernel was found\n";
+    }
     line("smallest mass") << report.smallest_mass << " at vertex " << report.smallest_mass_vertex << '\n';
     return text.str();
 }
@@ -139,14 +152,14 @@ std::string dual_obj(const OrthogonalDual& dual) {
 
 std::string dual_text(const OrthogonalDual& dual) {
     std::ostringstream text;
-    text << std::setprecision(10) << std::left;
+    text << std::setprecision(4) << std::left;
     const auto line = [&text](const char* label) -> std::ostream& { return text << std::setw(22) << label; };
     line("dual vertices") << dual.vertices.rows() << '\n';
     line("constraints") << dual.constraints << '\n';
     line("rank") << dual.rank << '\n';
     line("null space") << dual.null_space << '\n';
     line("residual") << dual.residual << " of the largest squared edge\n";
-    line("largest shift") << dual.largest_shift << " of the root of the area of face " << dual.worst_face << '\n';
+    line("largest shift") << dual.largest_shift << " times the root of its area, of face " << dual.worst_face << '\n';
     line("usable") << (dual.usable ? "yes" : "no: its vertices lie faces away from their own") << '\n';
     return text.str();
 }
@@ -208,12 +221,17 @@ Result<Outputs> convergence(const OperatorChoice& choice, bool json) {
 }
 
 Result<Outputs> dual(const MeshChoice& mesh, double mu, bool json, const std::string& path) {
+    // Standard output has no ending: there, --json says it.
+    const bool as_json = path == "-" ? json : path.ends_with(".json");
+    if (!path.empty() && path != "-" && !as_json && !path.ends_with(".obj")) {
+        return Error{ErrorCode::bad_argument, "the name '" + path + "' of a dual must end in .json or .obj"};
+    }
     auto session = open_session(mesh);
     if (!session) return session.error();
     const auto dual = session->dual(side, {.mu = mu});
     if (!dual) return in_file(mesh.path, dual.error());
     Outputs outputs;
-    if (!path.empty()) outputs.push_back({path, path.ends_with(".json") ? dump(dual_json(*dual)) : dual_obj(*dual)});
+    if (!path.empty()) outputs.push_back({path, as_json ? dump(dual_json(*dual)) : dual_obj(*dual)});
     if (path != "-") outputs.push_back({"-", json ? dump(dual_summary(*dual)) : dual_text(*dual)});
     return outputs;
 }

@@ -41,6 +41,8 @@ Result<Outputs> convert(const MeshChoice& mesh, const std::vector<NamedChoice>& 
         }
         outputs.push_back({map_path, std::move(rows)});
     }
+    // What reading has changed must not pass unseen, unless standard output is taken.
+    if (path != "-" && map_path != "-") outputs.push_back({"-", reading_text(*session)});
     return outputs;
 }
 

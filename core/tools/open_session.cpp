@@ -44,6 +44,15 @@ Result<Session> open_with_operator(const MeshChoice& mesh, const OperatorChoice&
     return session;
 }
 
+std::string reading_text(const Session& session) {
+    std::string text;
+    for (const std::string& note : session.notes())
+        text += "note                  " + note + '\n';
+    for (const RepairChange& change : session.repairs().changes)
+        text += "repaired              " + change.message + '\n';
+    return text;
+}
+
 Result<Output> mesh_output(const PolygonMesh& mesh, const std::string& path) {
     auto format = MeshFormat::obj;
     if (path != "-" && std::filesystem::path(path).has_extension()) {

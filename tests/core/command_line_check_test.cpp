@@ -57,6 +57,12 @@ TEST_F(CommandLine, CheckHasTheKnownFigures) {
 
     const std::string text = succeed("check '" + torus + "' --operator alexa-wardetzky");
     EXPECT_NE(text.find("2048 ordered, 1024 pairs"), std::string::npos) << text;
+    const OperatorInfo& info = **find_operator("alexa-wardetzky");
+    for (const PropertyInfo& property : properties()) {
+        if (property.claim == &PropertyClaims::convergent) continue;
+        EXPECT_NE(text.find(std::string(property.label) + ": "), std::string::npos) << text;
+        EXPECT_NE(text.find((info.claims.*property.claim).why), std::string::npos) << text;
+    }
     EXPECT_NE(fail(2, "check grid.obj --operator planar --modes -").find("--modes"), std::string::npos);
 }
 
@@ -100,6 +106,8 @@ TEST_F(CommandLine, DualDescribesAndWritesTheOrthogonalDual) {
     EXPECT_EQ(vertices, 4 + 12);
     EXPECT_NE(lines.find("\nl "), std::string::npos);
     EXPECT_NE(fail(2, "dual '" + grid + "' --mu -1").find("≥ 0"), std::string::npos);
+    EXPECT_EQ(json::parse(succeed("dual '" + grid + "' --json -o -"))["edges"].size(), 12u);
+    EXPECT_NE(fail(1, "dual '" + grid + "' -o dual.ply").find(".obj"), std::string::npos);
 }
 
 TEST_F(CommandLine, VertexWeightsComeFromAFile) {

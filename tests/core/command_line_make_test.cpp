@@ -54,6 +54,7 @@ TEST_F(CommandLine, MakesShapesWithParametersAndNoise) {
     EXPECT_EQ(fail(1, "make torus --set nu=2 -o x.obj").find("nu must be a whole number between"), 0u);
     EXPECT_NE(fail(1, "make taurus -o x.obj").find("torus"), std::string::npos);
     EXPECT_NE(fail(2, "make torus --set nu -o x.obj").find("name=value"), std::string::npos);
+    EXPECT_NE(fail(2, "make torus --noise -0.1 -o x.obj").find("≥ 0"), std::string::npos);
     EXPECT_NE(fail(2, "make torus --noise 0.1 --seed 0.5 -o x.obj").find("whole number"), std::string::npos);
     EXPECT_NE(fail(1, "make torus -o x.doc").find(".obj"), std::string::npos);
     EXPECT_EQ(files(), std::vector<std::string>{"torus.off"});
@@ -112,7 +113,11 @@ TEST_F(CommandLine, RepairsOnRequestOnly) {
     EXPECT_EQ(repairs["duplicate-faces"], json({2}));
     EXPECT_NE(succeed("info broken.obj --repair").find("repaired "), std::string::npos);
 
-    succeed("convert broken.obj --repair -o fixed.obj --vertex-map map.csv");
+    const std::string told = succeed("convert broken.obj --repair -o fixed.obj --vertex-map map.csv");
+    for (const auto& repair : facts["repairs"]) {
+        EXPECT_NE(told.find("repaired              " + repair["message"].get<std::string>()), std::string::npos)
+            << told;
+    }
     EXPECT_EQ(slurp(path("map.csv")), "vertex,original\n0,0\n1,1\n2,2\n3,3\n4,5\n5,6\n");
     EXPECT_EQ(load(path("fixed.obj")).face_count(), 2);
     EXPECT_EQ(json::parse(succeed("info fixed.obj --json"))["issues"], json::array());
