@@ -8,7 +8,13 @@ import { root } from './files.mjs';
 export { readTables };
 
 const marks = /(<!-- operators: made by npm run generate -->\n)[\s\S]*?(<!-- end of operators -->)/;
-const claimWords = { yes: 'yes', planar: 'planar faces', triangles: 'triangles', some: 'some parameters', no: '**no**' };
+const claimWords = {
+  yes: 'yes',
+  planar: 'planar faces',
+  triangles: 'triangles',
+  some: 'some parameters',
+  no: '**no**',
+};
 
 const row = (cells) => `| ${cells.map((cell) => cell.replaceAll('|', '\\|')).join(' | ')} |\n`;
 const grid = (head, rows) => row(head) + row(head.map(() => '---')) + rows.map(row).join('');
