@@ -61,7 +61,7 @@ Status ImplicitSmoother::update(const OperatorMatrices& matrices, double time) {
             }
             return error;
         }
-        mass_ = std::move(mass);
+        mass_.swap(mass);
         return Done{};
     });
 }

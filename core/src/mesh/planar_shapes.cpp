@@ -47,10 +47,14 @@ Result<PolygonMesh> concave_hexagons(std::span<const double> p) {
                 // The outermost lines lack a point that only the next row would have used.
                 if ((j == 0 && i == columns - 1) || (j == ny && i == (ny % 2 == 1 ? columns - 1 : 0))) continue;
                 const double up = (i + j) % 2 == 1 ? p[2] / 2 : -p[2] / 2;
-                number[static_cast<std::size_t>(j * columns + i)] = mesh.vertex({scale * i, scale * (j + up), 0});
+                number[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(i)] =
+                    mesh.vertex({scale * i, scale * (j + up), 0});
             }
         }
-        const auto at = [&](Index i, Index j) { return number[static_cast<std::size_t>(j * columns + i)]; };
+        const auto at = [&](Index i, Index j) {
+            return number[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns) +
+                          static_cast<std::size_t>(i)];
+        };
         for (Index j = 0; j < ny; ++j) {
             for (Index i = j % 2; i + 2 < columns; i += 2) {
                 mesh.face({at(i, j), at(i + 1, j), at(i + 2, j), at(i + 2, j + 1), at(i + 1, j + 1), at(i, j + 1)});

@@ -127,7 +127,7 @@ Status LinearFactor::factor(const SparseMatrix& a, Structure structure) {
     if (!a.isCompressed()) return Error{ErrorCode::bad_argument, "the matrix must be compressed"};
     impl_->size = static_cast<Index>(a.rows());
     if (structure != Structure::general || impl_->size == 0) {
-        const Status status = impl_->cholesky.factor(a);
+        Status status = impl_->cholesky.factor(a);
         if (status) impl_->solver = Impl::Solver::cholesky;
         const bool indefinite = !status && status.error().code == ErrorCode::not_positive_definite;
         if (!indefinite || structure == Structure::positive_semidefinite) return status;

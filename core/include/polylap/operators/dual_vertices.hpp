@@ -15,10 +15,10 @@ struct DualOptions {
 
 /// An edge of the mesh and what the dual makes of it.
 struct DualEdge {
-    Index v0 = 0, v1 = 0;          ///< v0 < v1, in the order of Topology::edges.
-    Index face0 = -1, face1 = -1;  ///< face0 runs v0 → v1, face1 back; -1: none.
-    Vector3 point = Vector3::Zero();                 ///< Where the dual edge crosses: v0 + s (v1 - v0); the mean of both faces' s.
-    double length0 = 0;            ///< Signed distance of each face's dual vertex from the edge, length; + on its side.
+    Index v0 = 0, v1 = 0;             ///< v0 < v1, in the order of Topology::edges.
+    Index face0 = -1, face1 = -1;     ///< face0 runs v0 → v1, face1 back; -1: none.
+    Vector3 point = Vector3::Zero();  ///< Where the dual edge crosses: v0 + s (v1 - v0); the mean of both faces' s.
+    double length0 = 0;  ///< Signed distance of each face's dual vertex from the edge, length; + on its side.
     double length1 = 0;
     double weight = 0;  ///< (length0 + length1) / |e|
 };

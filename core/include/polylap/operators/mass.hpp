@@ -24,7 +24,7 @@ enum class MassRule : std::uint8_t {
                     ///< (|e_ij|² cot γ_ij + |e_ik|² cot γ_ik). Zero or negative ones stay as they are.
     mixed_voronoi,  ///< Meyer, Desbrun, Schröder & Barr 2003: circumcentric in triangles that are not obtuse; ½ A to
                     ///< the obtuse corner and ¼ A to the others elsewhere. Positive.
-    galerkin,  ///< ∫ φ_i φ_j of the linear hat functions: A/6 on the diagonal, A/12 beside it. Not diagonal.
+    galerkin,       ///< ∫ φ_i φ_j of the linear hat functions: A/6 on the diagonal, A/12 beside it. Not diagonal.
 };
 
 /// The names of the masses, in the order of MassRule.
