@@ -4,6 +4,8 @@ import {
   type ConversionSpec,
   conversions,
   load,
+  type OperatorSpec,
+  operators,
   type Parameter,
   type Session,
   type ShapeSpec,
@@ -30,6 +32,23 @@ describe('shapes', () => {
     expect(mesh.offsets.length).toBeGreaterThan(1);
     expect(mesh.coordinates.every(Number.isFinite)).toBe(true);
     expect(meshOf(polylap.make(shape(id, defaults(parameters))))).toEqual(mesh);
+  });
+
+  it.each(shapes)('$id takes every operator', ({ id }) => {
+    const mesh = polylap.make(shape(id));
+    const { vertices, meanSquaredEdge } = mesh.info();
+    for (const info of operators) {
+      const operator = { id: info.id } as OperatorSpec;
+      const { negativeOrdered, nonzeroOrdered } = mesh.weights(operator);
+      if (info.claims.positiveWeights.where === 'yes') expect(negativeOrdered).toBe(0);
+      expect(nonzeroOrdered).toBeGreaterThan(0);
+      expect(mesh.check(operator).negativeOrdered).toBe(negativeOrdered);
+      const { coordinates } = mesh.smooth(operator, { time: 0.01 * meanSquaredEdge });
+      expect(coordinates).toHaveLength(3 * vertices);
+      expect(coordinates.every(Number.isFinite)).toBe(true);
+      mesh.reset();
+    }
+    mesh.close();
   });
 
   it.each(shapes)('$id refuses what its parameters do not allow, by name', ({ id, parameters }) => {
