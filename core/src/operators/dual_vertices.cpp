@@ -111,7 +111,8 @@ Vector3 edge_vector(const PolygonMesh& mesh, const DualEdge& e) {
 Result<KernelProjection> solve(const PolygonMesh& mesh, const Faces& faces, const std::vector<DualEdge>& edges,
                                Index constraints, double mu, Monitor monitor) {
     SparseMatrix transposed(3 * static_cast<Eigen::Index>(mesh.face_count()), constraints);
-    transposed.reserve(Eigen::VectorXi::Constant(constraints, 6));
+    // Eigen reads past the end of a matrix without columns that it has reserved room in.
+    if (constraints > 0) transposed.reserve(Eigen::VectorXi::Constant(constraints, 6));
     Index row = 0;
     for (const DualEdge& e : edges) {
         if (!inner(e)) continue;
