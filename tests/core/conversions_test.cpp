@@ -22,16 +22,6 @@ int euler(const PolygonMesh& mesh) {
            static_cast<int>(topology.unreferenced.size());
 }
 
-double total_area(const PolygonMesh& mesh) {
-    double area = 0;
-    std::vector<Vector3> corners;
-    for (Index f = 0; f < mesh.face_count(); ++f) {
-        gather_corners(mesh, f, corners);
-        area += vector_area(corners).norm();
-    }
-    return area;
-}
-
 int faces_of(const PolygonMesh& mesh, std::size_t corners) {
     int count = 0;
     for (Index f = 0; f < mesh.face_count(); ++f) {

@@ -67,22 +67,8 @@ Matrix sum_of(const PolygonMesh& triangles, Local&& local) {
     return m;
 }
 
-Eigen::Matrix3d barycentric(const Corner& x) {
-    const Vector3 middle = (x[0] + x[1] + x[2]) / 3;
-    const Vector3 normal = (x[1] - x[0]).cross(x[2] - x[0]).normalized();
-    Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
-    for (int i = 0; i < 3; ++i) {
-        const auto& p = x[static_cast<std::size_t>(i)];
-        const Vector3 next = (p + x[static_cast<std::size_t>((i + 1) % 3)]) / 2;
-        const Vector3 before = (p + x[static_cast<std::size_t>((i + 2) % 3)]) / 2;
-        m(i, i) = signed_area(p, next, middle, normal) + signed_area(p, middle, before, normal);
-    }
-    return m;
-}
-
-/// The cell of each corner inside the triangle: corner, middle of an edge, circumcentre, middle of the other edge.
-Eigen::Matrix3d circumcentric(const Corner& x) {
-    const Vector3 centre = circumcentre(x);
+/// The cell of each corner inside the triangle: corner, middle of an edge, centre, middle of the other edge.
+Eigen::Matrix3d cells_around(const Vector3& centre, const Corner& x) {
     const Vector3 normal = (x[1] - x[0]).cross(x[2] - x[0]).normalized();
     Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
     for (int i = 0; i < 3; ++i) {
@@ -92,6 +78,12 @@ Eigen::Matrix3d circumcentric(const Corner& x) {
         m(i, i) = signed_area(p, next, centre, normal) + signed_area(p, centre, before, normal);
     }
     return m;
+}
+Eigen::Matrix3d barycentric(const Corner& x) {
+    return cells_around((x[0] + x[1] + x[2]) / 3, x);
+}
+Eigen::Matrix3d circumcentric(const Corner& x) {
+    return cells_around(circumcentre(x), x);
 }
 
 Eigen::Matrix3d mixed(const Corner& x) {

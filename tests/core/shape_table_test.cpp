@@ -173,16 +173,6 @@ std::string text(const ShapeInfo& info, const Values& values) {
     return text;
 }
 
-double total_area(const PolygonMesh& mesh) {
-    double area = 0;
-    std::vector<Vector3> corners;
-    for (Index f = 0; f < mesh.face_count(); ++f) {
-        gather_corners(mesh, f, corners);
-        area += vector_area(corners).norm();
-    }
-    return area;
-}
-
 /// Calls `check` with every sample of every shape that is a mesh: a torus needs a hole.
 void for_all(const std::function<void(const ShapeInfo&, const Values&, const PolygonMesh&)>& check) {
     for (const ShapeInfo* info : shapes()) {

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <random>
 
+#include "polylap/apply/diagnostics.hpp"
 #include "polylap/apply/noise.hpp"
 #include "polylap/face/vector_area.hpp"
 #include "polylap/mesh/mesh_io.hpp"
@@ -269,6 +270,10 @@ std::vector<Index> flat_inner_vertices(const PolygonMesh& mesh) {
         if (flat[static_cast<std::size_t>(v)] != 0) inner.push_back(v);
     }
     return inner;
+}
+
+double total_area(const PolygonMesh& mesh) {
+    return measure_shape(mesh, build_topology(*mesh.connectivity())).area;
 }
 
 double bounding_size(const PolygonMesh& mesh) {

@@ -71,6 +71,8 @@ inline bool planar_faces(const PolygonMesh& mesh) {
 /// Inner vertices all of whose faces lie in one plane and face the same way.
 std::vector<Index> flat_inner_vertices(const PolygonMesh& mesh);
 double bounding_size(const PolygonMesh& mesh);
+/// Σ |a_f|, length².
+double total_area(const PolygonMesh& mesh);
 
 /// Whether a claim speaks for a mesh, whatever the parameters.
 bool claimed(Claim claim, const PolygonMesh& mesh);

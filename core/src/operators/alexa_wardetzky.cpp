@@ -7,6 +7,7 @@
 #include "polylap/operators/mass.hpp"
 
 namespace polylap {
+
 Result<SparseMatrix> alexa_wardetzky_stiffness(const PolygonMesh& mesh, AlexaWardetzkyOptions options,
                                                Monitor monitor) {
     if (!(options.lambda >= 0) || !std::isfinite(options.lambda)) {
@@ -19,17 +20,7 @@ Result<SparseMatrix> alexa_wardetzky_stiffness(const PolygonMesh& mesh, AlexaWar
 
 namespace {
 
-constexpr std::array<Parameter, 1> parameters{{
-    {.id = "lambda",
-     .label = "λ",
-     .kind = Parameter::Kind::real,
-     .min = 0,
-     .max = 1e6,
-     .slider_max = 2,
-     .step = 0.01,
-     .initial = 1,
-     .hint = "λ = ½ is the five-point star on squares"},
-}};
+constexpr std::array parameters{lambda_parameter("λ = ½ is the five-point star on squares")};
 
 }  // namespace
 

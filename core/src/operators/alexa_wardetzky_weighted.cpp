@@ -74,17 +74,7 @@ Result<Matrix> alexa_wardetzky_weighted_face(Corners corners, std::span<const do
 
 namespace {
 
-constexpr std::array<Parameter, 1> parameters{{
-    {.id = "lambda",
-     .label = "λ",
-     .kind = Parameter::Kind::real,
-     .min = 0,
-     .max = 1e6,
-     .slider_max = 2,
-     .step = 0.01,
-     .initial = 1,
-     .hint = "the stabiliser of the unweighted operator"},
-}};
+constexpr std::array parameters{lambda_parameter("the stabiliser of the unweighted operator")};
 
 }  // namespace
 

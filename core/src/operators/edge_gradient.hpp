@@ -3,6 +3,7 @@
 #include <span>
 
 #include "operators/assemble_faces.hpp"
+#include "polylap/base/parameter.hpp"
 
 namespace polylap {
 
@@ -25,5 +26,17 @@ private:
     Eigen::Matrix<double, Eigen::Dynamic, 2> basis_;
     Eigen::Matrix<double, Eigen::Dynamic, 8> rows_;  ///< D | Dʷ, both over √|a|, | √λ R
 };
+
+constexpr Parameter lambda_parameter(const char* hint) {
+    return {.id = "lambda",
+            .label = "λ",
+            .kind = Parameter::Kind::real,
+            .min = 0,
+            .max = 1e6,
+            .slider_max = 2,
+            .step = 0.01,
+            .initial = 1,
+            .hint = hint};
+}
 
 }  // namespace polylap

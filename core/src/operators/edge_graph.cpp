@@ -26,4 +26,19 @@ Result<SparseMatrix> graph_laplacian(const PolygonMesh& mesh, Monitor monitor) {
     return graph;
 }
 
+Result<SparseMatrix> graph_laplacian_over(double (*divisor)(double d_i, double d_j), const PolygonMesh& mesh,
+                                          Monitor monitor) {
+    return guard_memory([&]() -> Result<SparseMatrix> {
+        auto graph = graph_laplacian(mesh, monitor);
+        if (!graph) return graph;
+        const Vector degree = graph->diagonal();
+        for (Index j = 0; j < graph->cols(); ++j) {
+            for (SparseMatrix::InnerIterator it(*graph, j); it; ++it) {
+                it.valueRef() /= divisor(degree[it.row()], degree[j]);
+            }
+        }
+        return graph;
+    });
+}
+
 }  // namespace polylap

@@ -10,4 +10,8 @@ namespace polylap {
 /// @error out_of_memory, cancelled
 Result<SparseMatrix> graph_laplacian(const PolygonMesh& mesh, Monitor monitor);
 
+/// The same, each entry (i, j) divided by `divisor` of the numbers of neighbours of i and of j.
+Result<SparseMatrix> graph_laplacian_over(double (*divisor)(double d_i, double d_j), const PolygonMesh& mesh,
+                                          Monitor monitor);
+
 }  // namespace polylap

@@ -8,17 +8,7 @@
 namespace polylap {
 
 Result<SparseMatrix> normalized_graph_stiffness(const PolygonMesh& mesh, Monitor monitor) {
-    return guard_memory([&]() -> Result<SparseMatrix> {
-        auto graph = graph_laplacian(mesh, monitor);
-        if (!graph) return graph;
-        const Vector degree = graph->diagonal();
-        for (Index j = 0; j < graph->cols(); ++j) {
-            for (SparseMatrix::InnerIterator it(*graph, j); it; ++it) {
-                it.valueRef() /= std::sqrt(degree[it.row()] * degree[j]);
-            }
-        }
-        return graph;
-    });
+    return graph_laplacian_over([](double d_i, double d_j) { return std::sqrt(d_i * d_j); }, mesh, monitor);
 }
 
 constinit const OperatorInfo normalized_graph_info{

@@ -6,17 +6,7 @@
 namespace polylap {
 
 Result<SparseMatrix> tutte_stiffness(const PolygonMesh& mesh, Monitor monitor) {
-    return guard_memory([&]() -> Result<SparseMatrix> {
-        auto graph = graph_laplacian(mesh, monitor);
-        if (!graph) return graph;
-        const Vector degree = graph->diagonal();
-        for (Index j = 0; j < graph->cols(); ++j) {
-            for (SparseMatrix::InnerIterator it(*graph, j); it; ++it) {
-                it.valueRef() /= degree[it.row()];
-            }
-        }
-        return graph;
-    });
+    return graph_laplacian_over([](double d_i, double) { return d_i; }, mesh, monitor);
 }
 
 constinit const OperatorInfo tutte_info{
