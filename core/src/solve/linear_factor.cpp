@@ -118,7 +118,16 @@ LinearFactor::LinearFactor(LinearFactor&&) noexcept = default;
 LinearFactor& LinearFactor::operator=(LinearFactor&&) noexcept = default;
 LinearFactor::~LinearFactor() = default;
 
-Status LinearFactor::factor(const SparseMatrix& a, Structure structure) {
+void LinearFactor::use(std::shared_ptr<const SpdAnalysis> analysis) {
+    impl_->solver = Impl::Solver::none;
+    impl_->cholesky.use(std::move(analysis));
+}
+
+const std::shared_ptr<const SpdAnalysis>& LinearFactor::analysis() const noexcept {
+    return impl_->cholesky.analysis();
+}
+
+Status LinearFactor::factor(const SparseMatrix& a, Structure structure, const Points& positions, Monitor monitor) {
     impl_->solver = Impl::Solver::none;
     if (a.rows() != a.cols()) {
         return Error{ErrorCode::bad_argument,
@@ -127,7 +136,12 @@ Status LinearFactor::factor(const SparseMatrix& a, Structure structure) {
     if (!a.isCompressed()) return Error{ErrorCode::bad_argument, "the matrix must be compressed"};
     impl_->size = static_cast<Index>(a.rows());
     if (structure != Structure::general || impl_->size == 0) {
-        Status status = impl_->cholesky.factor(a);
+        if (const auto& known = analysis(); known == nullptr || !known->fits(a)) {
+            Stretch analysing{monitor, 0, 0.2};
+            if (Status status = impl_->cholesky.analyse(a, positions, analysing.monitor()); !status) return status;
+        }
+        Stretch factoring{monitor, 0.2, 1};
+        Status status = impl_->cholesky.factor(a, factoring.monitor());
         if (status) impl_->solver = Impl::Solver::cholesky;
         const bool indefinite = !status && status.error().code == ErrorCode::not_positive_definite;
         if (!indefinite || structure == Structure::positive_semidefinite) return status;

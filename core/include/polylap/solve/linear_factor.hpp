@@ -2,8 +2,7 @@
 
 #include <memory>
 
-#include "polylap/base/result.hpp"
-#include "polylap/base/types.hpp"
+#include "polylap/solve/spd_factor.hpp"
 #include "polylap/solve/structure.hpp"
 
 namespace polylap {
@@ -23,9 +22,15 @@ public:
     ~LinearFactor();
 
     /// Keeps ordering and symbolic analysis while the pattern stands.
+    /// @param positions n×3, where the unknowns lie, for a better ordering; without rows, the graph alone decides
     /// @error not_positive_definite (element = row; also for a singular matrix of other structure, then -1 where no row
-    /// can be named), bad_argument, out_of_memory
-    Status factor(const SparseMatrix& a, Structure structure);
+    /// can be named), bad_argument, out_of_memory, cancelled
+    Status factor(const SparseMatrix& a, Structure structure, const Points& positions = {}, Monitor monitor = {});
+    /// Makes Cholesky factors of that pattern need no analysis of their own.
+    /// @param analysis not null
+    void use(std::shared_ptr<const SpdAnalysis> analysis);
+    /// That of the Cholesky factor; null before there was one.
+    const std::shared_ptr<const SpdAnalysis>& analysis() const noexcept;
 
     /// @param rhs n×k   @return n×k
     /// @error bad_argument (nothing is factored, another number of rows), out_of_memory
