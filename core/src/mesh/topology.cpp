@@ -3,38 +3,54 @@
 #include <algorithm>
 #include <numeric>
 #include <string>
-#include <tuple>
 #include <unordered_map>
 #include <utility>
 
 namespace polylap {
 namespace {
 
+/// One side of a face, as its lower vertex sees it.
 struct HalfEdge {
-    Index v0, v1, face;  // v0 < v1
-    bool forward;
+    Index v1;    ///< The higher vertex.
+    Index side;  ///< The face; ~face where it runs from v1 down.
+
+    Index face() const { return side < 0 ? ~side : side; }
 };
 
+/// Buckets of half-edges by their lower vertex, each in the order of the faces, need little sorting.
 std::vector<Edge> collect_edges(const Connectivity& connectivity) {
-    std::vector<HalfEdge> half_edges;
-    half_edges.reserve(connectivity.corners.size());
-    for (Index f = 0; f < connectivity.face_count(); ++f) {
-        const auto face = connectivity.face(f);
-        for (std::size_t k = 0; k < face.size(); ++k) {
-            const Index from = face[k];
-            const Index to = face[k + 1 < face.size() ? k + 1 : 0];
-            half_edges.push_back({std::min(from, to), std::max(from, to), f, from < to});
+    const auto for_sides = [&connectivity](auto&& visit) {
+        for (Index f = 0; f < connectivity.face_count(); ++f) {
+            const auto face = connectivity.face(f);
+            Index from = face.back();
+            for (const Index to : face) {
+                visit(f, from, to);
+                from = to;
+            }
         }
-    }
-    std::sort(half_edges.begin(), half_edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
-        return std::tie(a.v0, a.v1, a.face) < std::tie(b.v0, b.v1, b.face);
+    };
+    std::vector<Index> last(static_cast<std::size_t>(connectivity.vertex_count) + 1, 0);
+    for_sides([&](Index, Index from, Index to) { ++last[static_cast<std::size_t>(std::min(from, to)) + 1]; });
+    std::partial_sum(last.begin(), last.end(), last.begin());
+    std::vector<HalfEdge> half_edges(connectivity.corners.size());
+    for_sides([&](Index f, Index from, Index to) {  // leaves in last[v] where the bucket of v ends
+        auto& place = last[static_cast<std::size_t>(std::min(from, to))];
+        half_edges[static_cast<std::size_t>(place++)] = {std::max(from, to), from < to ? f : ~f};
     });
+
     std::vector<Edge> edges;
-    for (const HalfEdge& h : half_edges) {
-        if (edges.empty() || edges.back().v0 != h.v0 || edges.back().v1 != h.v1) {
-            edges.push_back({h.v0, h.v1, 0, 0, h.face});
+    edges.reserve(half_edges.size() / 2 + half_edges.size() / 16);
+    auto bucket = half_edges.begin();
+    for (Index v0 = 0; v0 < connectivity.vertex_count; ++v0) {
+        const auto end = half_edges.begin() + last[static_cast<std::size_t>(v0)];
+        std::sort(bucket, end, [](const HalfEdge& a, const HalfEdge& b) {
+            return a.v1 != b.v1 ? a.v1 < b.v1 : a.face() < b.face();
+        });
+        for (Index before = -1; bucket != end; ++bucket) {
+            if (std::exchange(before, bucket->v1) != bucket->v1)
+                edges.push_back({v0, bucket->v1, 0, 0, bucket->face()});
+            ++(bucket->side < 0 ? edges.back().backward : edges.back().forward);
         }
-        ++(h.forward ? edges.back().forward : edges.back().backward);
     }
     return edges;
 }
