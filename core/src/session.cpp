@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "cache.hpp"
+#include "known_analyses.hpp"
 #include "polylap/apply/smoothing.hpp"
 #include "polylap/mesh/mesh_io.hpp"
 #include "polylap/solve/dirichlet.hpp"
@@ -71,6 +72,7 @@ struct Session::Impl {
 
     // Two sides before and after a step, or two sides with two specs each.
     Cache<MatricesKey, OperatorMatrices, 4> matrices;
+    KnownAnalyses analyses;
     std::array<SmootherSlot, 2> smoothers;
     Cache<DirichletKey, DirichletProblem, 4> problems;
     Cache<MatricesKey, PropertyReport, 4> reports;
