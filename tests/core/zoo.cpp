@@ -212,6 +212,17 @@ const std::vector<Specimen>& zoo() {
     return all;
 }
 
+std::vector<Specimen> oriented_zoo() {
+    std::vector<Specimen> some;
+    for (const Specimen& s : zoo()) {
+        const auto edges = build_topology(*s.mesh.connectivity()).edges;
+        if (std::all_of(edges.begin(), edges.end(), [](const Edge& e) { return e.oriented() && e.manifold(); })) {
+            some.push_back(s);
+        }
+    }
+    return some;
+}
+
 const PolygonMesh& specimen(const std::string& name) {
     for (const Specimen& s : zoo()) {
         if (s.name == name) return s.mesh;

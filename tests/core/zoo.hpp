@@ -53,6 +53,8 @@ struct Specimen {
 /// that every rule has one answer.
 const std::vector<Specimen>& zoo();
 const PolygonMesh& specimen(const std::string& name);
+/// Those whose edges have at most two faces, of like orientation.
+std::vector<Specimen> oriented_zoo();
 
 PolygonMesh make_mesh(const std::vector<Vector3>& points, const std::vector<std::vector<Index>>& faces);
 /// One face with the given corners.
