@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <span>
 #include <utility>
 
 #include "polylap/solve/spd_factor.hpp"
@@ -22,11 +23,15 @@ public:
         return kept_.front();
     }
 
+    /// The last ones; null where there were not as many.
+    std::span<const std::shared_ptr<const SpdAnalysis>> kept() const { return kept_; }
+
     /// @param analysis null: nothing happens
     void keep(std::shared_ptr<const SpdAnalysis> analysis) {
-        if (analysis == nullptr || std::find(kept_.begin(), kept_.end(), analysis) != kept_.end()) return;
-        kept_.back() = std::move(analysis);
-        std::rotate(kept_.begin(), kept_.end() - 1, kept_.end());
+        if (analysis == nullptr) return;
+        auto place = std::find(kept_.begin(), kept_.end(), analysis);
+        if (place == kept_.end()) *--place = std::move(analysis);
+        std::rotate(kept_.begin(), place, place + 1);
     }
 
 private:

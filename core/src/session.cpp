@@ -6,10 +6,10 @@
 #include <limits>
 
 #include "cache.hpp"
+#include "harmonic_problem.hpp"
 #include "known_analyses.hpp"
 #include "polylap/apply/smoothing.hpp"
 #include "polylap/mesh/mesh_io.hpp"
-#include "polylap/solve/dirichlet.hpp"
 
 namespace polylap {
 namespace {
@@ -43,10 +43,10 @@ struct SmootherSlot {
     }
 };
 
-struct DirichletKey {
-    MatricesKey matrices;
-    std::vector<Index> fixed;
-    friend bool operator==(const DirichletKey&, const DirichletKey&) = default;
+/// The last harmonic problem.
+struct HarmonicSlot {
+    std::optional<MatricesKey> matrices;
+    std::optional<HarmonicProblem> problem;
 };
 
 struct SideState {
@@ -74,7 +74,7 @@ struct Session::Impl {
     Cache<MatricesKey, OperatorMatrices, 4> matrices;
     KnownAnalyses analyses;
     std::array<SmootherSlot, 2> smoothers;
-    Cache<DirichletKey, DirichletProblem, 4> problems;
+    std::array<HarmonicSlot, 2> harmonics;
     Cache<MatricesKey, PropertyReport, 4> reports;
 
     Impl(PolygonMesh mesh, DisplayTriangles triangles)
@@ -87,6 +87,7 @@ struct Session::Impl {
     static OperatorSpec default_spec(std::size_t side) { return *make_spec(opening_pair()[side]->id, {}); }
 
     SideState& side(Side s) { return sides[static_cast<std::size_t>(s)]; }
+    HarmonicSlot& harmonic(Side s) { return harmonics[static_cast<std::size_t>(s)]; }
     SmootherSlot& smoother(Side s) { return smoothers[static_cast<std::size_t>(s)]; }
 
     Result<std::shared_ptr<const OperatorMatrices>> build(const PolygonMesh& surface, const MatricesKey& key,
@@ -275,43 +276,51 @@ Result<Session::Harmonic> Session::harmonic(Side side, std::span<const Index> ve
     }
     return guard_memory([&]() -> Result<Harmonic> {
         const SideState& state = impl_->side(side);
-        const DirichletKey key{state.key(), {vertices.begin(), vertices.end()}};
-        const auto problem = impl_->problems.get(key, [&]() -> Result<DirichletProblem> {
+        const bool keeps_constants = (*find_operator(state.spec.id))->claims.constants_in_kernel.where == Claim::yes;
+        HarmonicSlot& slot = impl_->harmonic(side);
+        if (slot.matrices != state.key()) {
+            slot = {};  // before the next needs memory
             Stretch building{monitor, 0, 0.3};
-            const auto built = impl_->build(state.surface, key.matrices, building.monitor());
+            const auto built = impl_->build(state.surface, state.key(), building.monitor());
             if (!built) return built.error();
-            if (!monitor.proceed(0.3)) return Error{ErrorCode::cancelled, "cancelled"};
-            return DirichletProblem::create((*built)->stiffness, key.fixed, (*built)->structure);
-        });
-        if (!problem) return problem.error();
+            slot.problem.emplace(*built, keeps_constants);
+            slot.matrices = state.key();
+        }
+        if (!monitor.proceed(0.3)) return Error{ErrorCode::cancelled, "cancelled"};
 
         // Where S 1 = 0, what lies above the least value is solved for: rounding then scales with the width of the
         // range, and equal values give exactly that value everywhere.
         const Eigen::Map<const Vector> given(values.data(), static_cast<Eigen::Index>(values.size()));
-        const double width = given.maxCoeff() - given.minCoeff();
-        const bool shift = (*find_operator(state.spec.id))->claims.constants_in_kernel.where == Claim::yes;
-        const double base = shift && given.allFinite() && std::isfinite(width) ? given.minCoeff() : 0;
-        const auto above = (*problem)->solve(Vector(given.array() - base));
+        const bool finite = given.size() > 0 && given.allFinite();
+        const double low = finite ? given.minCoeff() : 0;
+        const double high = finite ? given.maxCoeff() : 0;
+        const double width = high - low;
+        const double base = keeps_constants && std::isfinite(width) ? low : 0;
+        Stretch solving{monitor, 0.3, 1};
+        auto above = slot.problem->solve(vertices, Vector(given.array() - base), state.surface.positions(),
+                                         impl_->analyses, solving.monitor());
         if (!above) return above.error();
         if (!monitor.proceed(1)) return Error{ErrorCode::cancelled, "cancelled"};
 
         Harmonic harmonic;
-        harmonic.fixed_min = harmonic.min = given.minCoeff();
-        harmonic.fixed_max = harmonic.max = given.maxCoeff();
-        harmonic.values = above->col(0).array() + base;
+        harmonic.fixed_min = harmonic.min = low;
+        harmonic.fixed_max = harmonic.max = high;
+        harmonic.values = *std::move(above);
+        const double slack = outside_tolerance * (keeps_constants ? width : given.cwiseAbs().maxCoeff());
+        const double lowest = low - base - slack;
+        const double highest = high - base + slack;
+        for (Index v = 0; v < harmonic.values.size(); ++v) {
+            const double u = harmonic.values[v];
+            if (u < lowest || u > highest) harmonic.outside.push_back(v);
+        }
+        harmonic.values.array() += base;
         for (std::size_t k = 0; k < vertices.size(); ++k) {
             harmonic.values[vertices[k]] = values[k];
         }
-        const double slack = outside_tolerance * (shift ? width : given.cwiseAbs().maxCoeff());
-        for (Index v = 0; v < harmonic.values.size(); ++v) {
-            const double u = harmonic.values[v];
-            if (!std::isfinite(u)) continue;
+        for (const double u : harmonic.values) {
+            if (std::isnan(u)) continue;
             harmonic.min = std::min(harmonic.min, u);
             harmonic.max = std::max(harmonic.max, u);
-            const double relative = (*above)(v, 0);
-            if (relative < harmonic.fixed_min - base - slack || relative > harmonic.fixed_max - base + slack) {
-                harmonic.outside.push_back(v);
-            }
         }
         return harmonic;
     });

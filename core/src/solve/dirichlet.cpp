@@ -3,6 +3,8 @@
 #include <limits>
 #include <string>
 
+#include "solve/fixed_vertices.hpp"
+
 namespace polylap {
 namespace {
 
@@ -37,15 +39,41 @@ Status reach_all(const SparseMatrix& s, Structure structure, std::vector<Role>& 
     for (Index v = 0; v < s.cols(); ++v) {
         if (reached[static_cast<std::size_t>(v)] != 0) continue;
         if (in_use[static_cast<std::size_t>(v)] != 0) {
-            const std::string name = "vertex " + std::to_string(v);
+            if (structure != Structure::general) return unconstrained_part(v);
             return Error{ErrorCode::unconstrained_component,
-                         structure == Structure::general ? name + " does not depend on any fixed vertex"
-                                                         : "the connected part with " + name + " has no fixed vertex",
-                         v};
+                         "vertex " + std::to_string(v) + " does not depend on any fixed vertex", v};
         }
         role[static_cast<std::size_t>(v)] = Role::isolated;
     }
     return Done{};
+}
+
+/// Rows of the free vertices, in the columns that `local` numbers from 0; what `keep` refuses is left out. Two passes:
+/// count, then fill.
+template <class Keep>
+SparseMatrix cut_out(const SparseMatrix& s, std::span<const Index> columns, const std::vector<Role>& role,
+                     const std::vector<Index>& local, Index rows, Keep&& keep) {
+    SparseMatrix block(rows, static_cast<Index>(columns.size()));
+    const auto for_entries = [&](auto&& visit) {
+        for (std::size_t j = 0; j < columns.size(); ++j) {
+            for (SparseMatrix::InnerIterator it(s, columns[j]); it; ++it) {
+                const auto row = static_cast<std::size_t>(it.index());
+                if (role[row] == Role::free && keep(it.index(), columns[j])) visit(j, local[row], it.value());
+            }
+        }
+    };
+    Index* const start = block.outerIndexPtr();
+    for_entries([&](std::size_t j, Index, double) { ++start[j + 1]; });
+    for (std::size_t j = 0; j < columns.size(); ++j) {
+        start[j + 1] += start[j];
+    }
+    block.resizeNonZeros(start[columns.size()]);
+    Index next = 0;
+    for_entries([&](std::size_t, Index row, double value) {
+        block.innerIndexPtr()[next] = row;
+        block.valuePtr()[next++] = value;
+    });
+    return block;
 }
 
 /// The factor's refusal in terms of vertices.
@@ -63,81 +91,59 @@ Error name_vertex(Error error, const std::vector<Index>& free) {
 }  // namespace
 
 Result<DirichletProblem> DirichletProblem::create(const SparseMatrix& stiffness, std::span<const Index> fixed,
-                                                  Structure structure) {
+                                                  Structure structure, const Points& positions, Monitor monitor) {
     return guard_memory([&]() -> Result<DirichletProblem> {
         const auto n = static_cast<Index>(stiffness.cols());
         if (stiffness.rows() != stiffness.cols()) {
             return Error{ErrorCode::bad_argument, "the stiffness has " + std::to_string(stiffness.rows()) +
                                                       " rows and " + std::to_string(n) + " columns"};
         }
+        if (positions.rows() != 0 && positions.rows() != stiffness.rows()) {
+            return Error{ErrorCode::bad_argument, "the stiffness has " + std::to_string(n) + " rows, but " +
+                                                      std::to_string(positions.rows()) + " positions were given"};
+        }
+        auto places = places_of(fixed, n);
+        if (!places) return places.error();
         std::vector<Role> role(static_cast<std::size_t>(n), Role::free);
-        std::vector<Index> local(static_cast<std::size_t>(n), -1);  // row among the free, or among the fixed
-        for (std::size_t k = 0; k < fixed.size(); ++k) {
-            const Index v = fixed[k];
-            if (v < 0 || v >= n) {
-                return Error{ErrorCode::bad_argument,
-                             "vertex " + std::to_string(v) + " cannot be fixed: there are " + std::to_string(n) +
-                                 " vertices (counted from 0)",
-                             v};
-            }
-            if (role[static_cast<std::size_t>(v)] == Role::fixed) {
-                return Error{ErrorCode::bad_argument, "vertex " + std::to_string(v) + " is fixed twice", v};
-            }
+        for (const Index v : fixed) {
             role[static_cast<std::size_t>(v)] = Role::fixed;
-            local[static_cast<std::size_t>(v)] = static_cast<Index>(k);
         }
         if (Status status = reach_all(stiffness, structure, role); !status) return status.error();
 
         DirichletProblem problem;
         problem.size_ = n;
         problem.fixed_.assign(fixed.begin(), fixed.end());
+        std::vector<Index>& local = *places;  // row among the free, or among the fixed
         for (Index v = 0; v < n; ++v) {
             if (role[static_cast<std::size_t>(v)] != Role::free) continue;
             local[static_cast<std::size_t>(v)] = static_cast<Index>(problem.free_.size());
             problem.free_.push_back(v);
         }
-        std::vector<Eigen::Triplet<double, Index>> inner;
-        std::vector<Eigen::Triplet<double, Index>> outer;
-        for (Index column = 0; column < n; ++column) {
-            const Role kind = role[static_cast<std::size_t>(column)];
-            if (kind == Role::isolated) continue;
-            auto& block = kind == Role::free ? inner : outer;
-            for (SparseMatrix::InnerIterator it(stiffness, column); it; ++it) {
-                const auto row = static_cast<std::size_t>(it.index());
-                if (role[row] == Role::free) {
-                    block.emplace_back(local[row], local[static_cast<std::size_t>(column)], it.value());
-                }
-            }
+        const std::vector<Index>& free = problem.free_;
+        const auto free_count = static_cast<Index>(free.size());
+        problem.coupling_ =
+            cut_out(stiffness, problem.fixed_, role, local, free_count, [](Index, Index) { return true; });
+        // Cholesky reads no more than the lower triangle.
+        const bool lower = structure == Structure::positive_semidefinite;
+        const SparseMatrix inner = cut_out(stiffness, free, role, local, free_count,
+                                           [&](Index row, Index column) { return !lower || row >= column; });
+        Points places_in_space(positions.rows() == 0 ? 0 : free_count, 3);
+        for (Eigen::Index k = 0; k < places_in_space.rows(); ++k) {
+            places_in_space.row(k) = positions.row(free[static_cast<std::size_t>(k)]);
         }
-        const auto free_count = static_cast<Index>(problem.free_.size());
-        SparseMatrix inner_matrix(free_count, free_count);
-        inner_matrix.setFromTriplets(inner.begin(), inner.end());
-        problem.coupling_.resize(free_count, static_cast<Index>(fixed.size()));
-        problem.coupling_.setFromTriplets(outer.begin(), outer.end());
-        if (Status status = problem.factor_.factor(inner_matrix, structure); !status) {
-            return name_vertex(status.error(), problem.free_);
+        if (Status status = problem.factor_.factor(inner, structure, places_in_space, monitor); !status) {
+            return name_vertex(status.error(), free);
         }
         return problem;
     });
 }
 
 Result<Matrix> DirichletProblem::solve(const Eigen::Ref<const Matrix>& fixed_values) const {
-    if (fixed_values.rows() != static_cast<Eigen::Index>(fixed_.size())) {
-        return Error{ErrorCode::bad_argument, std::to_string(fixed_.size()) + " vertices are fixed, but " +
-                                                  std::to_string(fixed_values.rows()) + " values were given"};
-    }
-    for (Eigen::Index k = 0; k < fixed_values.rows(); ++k) {
-        if (fixed_values.row(k).allFinite()) continue;
-        const Index v = fixed_[static_cast<std::size_t>(k)];
-        return Error{ErrorCode::bad_argument, "the value at vertex " + std::to_string(v) + " is not a finite number",
-                     v};
-    }
+    if (Status status = check_values(fixed_, fixed_values); !status) return status.error();
     return guard_memory([&]() -> Result<Matrix> {
         const auto free_values = factor_.solve(-(coupling_ * fixed_values));
         if (!free_values) return free_values.error();
-        if (!free_values->allFinite()) {
-            return Error{ErrorCode::bad_argument, "the fixed values are too far apart for double precision"};
-        }
+        if (!free_values->allFinite()) return values_too_far_apart();
         Matrix u = Matrix::Constant(size_, fixed_values.cols(), std::numeric_limits<double>::quiet_NaN());
         for (std::size_t k = 0; k < free_.size(); ++k) {
             u.row(free_[k]) = free_values->row(static_cast<Eigen::Index>(k));

@@ -11,12 +11,14 @@ namespace polylap {
 class DirichletProblem {
 public:
     /// @param stiffness V×V; row i is the equation of vertex i   @param fixed distinct vertices
-    /// @error bad_argument (S not square, a fixed vertex out of range or twice), unconstrained_component (element = the
-    ///        lowest vertex whose equation leads, from row to row, to no fixed vertex), not_positive_definite (element
-    ///        = vertex, -1 where none can be named: the free vertices' equations have no unique solution),
-    ///        out_of_memory
+    /// @param positions V×3, where the vertices lie, for a better ordering; without rows, the graph alone decides
+    /// @error bad_argument (S not square, a fixed vertex out of range or twice, another number of positions),
+    ///        unconstrained_component (element = the lowest vertex whose equation leads, from row to row, to no fixed
+    ///        vertex), not_positive_definite (element = vertex, -1 where none can be named: the free vertices'
+    ///        equations have no unique solution), out_of_memory, cancelled
     static Result<DirichletProblem> create(const SparseMatrix& stiffness, std::span<const Index> fixed,
-                                           Structure structure = Structure::positive_semidefinite);
+                                           Structure structure = Structure::positive_semidefinite,
+                                           const Points& positions = {}, Monitor monitor = {});
 
     /// @param fixed_values B×k, in the order of `fixed`, finite
     /// @return V×k. A vertex that is in no equation (in no face) and not fixed gets NaN.
