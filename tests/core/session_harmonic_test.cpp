@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "polylap/solve/dirichlet.hpp"
+#include "polylap/solve/pinned_problem.hpp"
 #include "session_fixture.hpp"
 
 namespace polylap::test {
@@ -113,6 +116,95 @@ TEST(Session, HarmonicIsFiniteOrRefused) {
         EXPECT_TRUE(h->values.allFinite());
     } else {
         EXPECT_EQ(h.error().code, ErrorCode::bad_argument);
+    }
+}
+
+/// As a session without a past answers.
+Vector from_scratch(const Session& session, Side side, const std::vector<Index>& fixed,
+                    const std::vector<double>& values) {
+    const auto matrices = get(build_operator(session.surface(side), session.spec(side)));
+    const Eigen::Map<const Vector> given(values.data(), static_cast<Eigen::Index>(values.size()));
+    return get(get(DirichletProblem::create(matrices.stiffness, fixed, matrices.structure)).solve(given)).col(0);
+}
+
+// Pins come, go and change their values, operators and surfaces too: each answer is that of a new session.
+TEST(Session, HarmonicForgetsWhatWas) {
+    Session session = open_mesh(specimen("quad-torus-32x16-noisy"));
+    std::mt19937 random(2);
+    std::vector<Index> fixed{0, 300};
+    std::vector<double> values{0, 1};
+    const auto expect_as_new = [&](const char* after) {
+        for (const Side side : sides) {
+            const auto h = get(session.harmonic(side, fixed, values));
+            EXPECT_LE((h.values - from_scratch(session, side, fixed, values)).cwiseAbs().maxCoeff(), 1e-9) << after;
+        }
+    };
+    const auto specs = all_specs(session.mesh());
+    for (int k = 0; k < 60; ++k) {
+        expect_as_new("a new pin");
+        values[random() % values.size()] = static_cast<double>(random() % 100) / 100;
+        expect_as_new("another value");
+        if (fixed.size() > 2 && random() % 3 == 0) {
+            fixed.erase(fixed.begin());
+            values.erase(values.begin());
+            expect_as_new("a pin less");
+        }
+        if (k % 10 == 5) {
+            check(session.set_operator(sides[k / 10 % 2], specs[random() % specs.size()]));
+            // Some leave more open than these pins decide.
+            if (!session.harmonic(sides[k / 10 % 2], fixed, values))
+                check(session.set_operator(sides[k / 10 % 2], {"umbrella", {}}));
+            expect_as_new("another operator");
+        }
+        if (k % 20 == 19) {
+            check(session.smooth(Side::a, {.time = 0.001}));
+            expect_as_new("a smoothing step");
+        }
+        const auto v = static_cast<Index>(random() % static_cast<unsigned>(session.mesh().vertex_count()));
+        if (std::find(fixed.begin(), fixed.end(), v) != fixed.end()) continue;
+        fixed.push_back(v);
+        values.push_back(static_cast<double>(random() % 100) / 100);
+    }
+}
+
+// More pins than potentials are kept of, and one less.
+TEST(Session, HarmonicOfVeryManyPins) {
+    Session session = open_mesh(get(make_grid(66, 66)));
+    const Index n = session.mesh().vertex_count();
+    const auto most = static_cast<std::size_t>(PinnedProblem::most_bytes / (8 * n));
+    ASSERT_LT(most + 1, static_cast<std::size_t>(n));
+    std::vector<Index> fixed;
+    std::vector<double> values;
+    for (std::size_t k = 0; k <= most; ++k) {
+        fixed.push_back(static_cast<Index>(k));
+        values.push_back(std::sin(0.1 * static_cast<double>(k)));
+    }
+    for (int round = 0; round < 2; ++round) {
+        const auto h = get(session.harmonic(Side::b, fixed, values));
+        EXPECT_LE((h.values - from_scratch(session, Side::b, fixed, values)).cwiseAbs().maxCoeff(), 1e-9);
+        fixed.resize(20);
+        values.resize(20);
+    }
+}
+
+TEST(Session, HarmonicStopsWhenToldTo) {
+    Session session = open_mesh(noisy_torus());
+    const std::vector<Index> fixed{3, 40, 70};
+    const std::vector<double> values{0, 2, 1};
+    Ticks all;
+    const auto expected = get(session.harmonic(Side::a, fixed, values, all.monitor()));
+    EXPECT_TRUE(all.rise());
+    EXPECT_EQ(all.fractions.back(), 1);
+    for (std::size_t stop = 1; stop <= all.fractions.size(); ++stop) {
+        Session other = open_mesh(noisy_torus());
+        const State state = state_of(other);
+        Ticks ticks;
+        ticks.stop_at = stop;
+        const auto h = other.harmonic(Side::a, fixed, values, ticks.monitor());
+        ASSERT_FALSE(h.ok()) << stop;
+        EXPECT_EQ(h.error().code, ErrorCode::cancelled);
+        EXPECT_EQ(state_of(other), state);
+        EXPECT_EQ(get(other.harmonic(Side::a, fixed, values)).values, expected.values);
     }
 }
 
