@@ -146,6 +146,7 @@ export function listedSources(files) {
     { list: 'core/CMakeLists.txt', sources: /^core\/src\/.*\.cpp$/, base: 'core/' },
     { list: 'core/tools/CMakeLists.txt', sources: /^core\/tools\/.*\.cpp$/, base: 'core/tools/' },
     { list: 'tests/CMakeLists.txt', sources: /^tests\/core\/.*\.cpp$/, base: 'tests/' },
+    { list: 'tests/bench/CMakeLists.txt', sources: /^tests\/bench\/native\/.*\.cpp$/, base: 'tests/bench/' },
     { list: 'wasm/CMakeLists.txt', sources: /^wasm\/.*\.cpp$/, base: 'wasm/' },
   ];
   return lists.flatMap(({ list, sources, base }) => {
