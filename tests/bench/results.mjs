@@ -6,7 +6,7 @@ const table = (head, rows) => row(head) + row(head.map(() => '---')) + rows.map(
 
 /** Three digits that mean something. */
 export function digits(value) {
-  if (value === undefined) return '';
+  if (value === undefined || Number.isNaN(value)) return '';
   if (value === 0) return '0';
   const size = Math.abs(value);
   if (size >= 1e6) return `${digits(value / 1e6)}M`;
@@ -15,9 +15,10 @@ export function digits(value) {
 }
 const milliseconds = (value) =>
   value === undefined ? '' : value >= 10_000 ? `${digits(value / 1000)} s` : `${digits(value)} ms`;
+const times = (value) => (Number.isFinite(value) ? `${digits(value)}×` : '');
 const shown = (value, unit) => {
   if (unit === 'ms') return milliseconds(value);
-  return unit === '×' ? `${digits(value)}×` : `${digits(value)} ${unit}`.trim();
+  return unit === '×' ? times(value) : `${digits(value)} ${unit}`.trim();
 };
 
 const marks = { met: '✓', missed: '✗', 'not measured': '–' };
@@ -69,7 +70,7 @@ function factorTable(find, rows) {
       n,
       item,
       milliseconds(whole),
-      `${digits(whole / ours)}×`,
+      times(whole / ours),
       ...['analyse', 'numeric', 'solve 1', 'solve 3'].map((metric) => milliseconds(value(metric))),
       digits(value('nnz(L)')),
       shown(value('peak memory'), 'MB'),
@@ -184,7 +185,7 @@ export function withSpeed(readme, results) {
   if (!speedMarks.test(readme)) throw new Error('the README has no marks around the speed');
   const find = lookUp(results);
   const ours = (n) => metrics.whole(find, 'torus', n, 'polylap');
-  const over = (n, item) => `${digits(metrics.whole(find, 'torus', n, item) / ours(n))}×`;
+  const over = (n, item) => times(metrics.whole(find, 'torus', n, item) / ours(n));
   const rows = [100e3, 250e3, 1e6].map((n) => [
     `${n / 1000}k`,
     milliseconds(ours(n)),

@@ -1,5 +1,5 @@
 // `npm run bench [native] [browser]`: measures, and writes build/bench/*.json, results.json, RESULTS.md and the README's lines about speed.
-// `npm run bench write` only writes the texts anew, from results.json.
+// `npm run bench native -- --largest 100000` keeps to small meshes, `npm run bench write` only writes the texts anew, from results.json.
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -25,6 +25,9 @@ function commit() {
   return git('rev-parse', '--short=10', 'HEAD').trim() + (changed ? '+' : '');
 }
 
+const words = process.argv.slice(2);
+const limits = words.includes('--largest') ? words.splice(words.indexOf('--largest'), 2) : [];
+
 const parts = {
   async native(json) {
     await ensurePackages('native', 'bench');
@@ -32,7 +35,7 @@ const parts = {
     await build('bench', ['polylap_bench']);
     // Eigen and polylap use one thread; so must the peers.
     const env = { OPENBLAS_NUM_THREADS: '1', OMP_NUM_THREADS: '1' };
-    await run(path('build/bench/tests/bench/polylap_bench'), ['--json', json], { env });
+    await run(path('build/bench/tests/bench/polylap_bench'), ['--json', json, ...limits], { env });
   },
   async browser(json) {
     await run(process.execPath, [path('tests/bench/browser/run.mjs'), json]);
@@ -65,15 +68,15 @@ function write(results) {
 }
 
 await runMain(async () => {
-  const wanted = process.argv.slice(2);
-  const unknown = wanted.find((part) => !(part in parts) && part !== 'write');
-  if (unknown) throw new Error(`usage: npm run bench [native] [browser] [write], not ${unknown}`);
+  const unknown = words.find((part) => !(part in parts) && part !== 'write');
+  if (unknown)
+    throw new Error(`usage: npm run bench [native] [browser] [write] [-- --largest VERTICES], not ${unknown}`);
   mkdirSync(path('build/bench'), { recursive: true });
   const results = existsSync(stored) ? readJson(stored) : {};
   const available = Object.keys(parts).filter(
     (part) => part !== 'browser' || existsSync(path('tests/bench/browser/run.mjs')),
   );
-  for (const part of wanted.length > 0 ? wanted.filter((name) => name in parts) : available) {
+  for (const part of words.length > 0 ? words.filter((name) => name in parts) : available) {
     results[part] = await measure(part);
   }
   writeFileSync(stored, format(results));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -60,11 +61,13 @@ struct Contender {
     std::string item;
     std::function<void(Record&)> work;
     int rounds = 3;
+    bool warm = false;  ///< Once before it counts, in the same process: for what is over before caches are filled.
 };
 
 struct Options {
     bool smallest = false;  ///< Only to see that all of it runs: the smallest sizes, one round.
-    std::string only;       ///< Groups whose names contain this.
+    Index largest = std::numeric_limits<Index>::max();  ///< Vertices, at most: for machines with little time or memory.
+    std::string only;                                   ///< Groups whose names contain this.
 };
 
 /// Runs contenders against each other, one after the other and round after round, so that noise meets all of them
@@ -75,10 +78,10 @@ public:
 
     bool wants(const std::string& group) const { return group.find(options_.only) != std::string::npos; }
     bool smallest() const { return options_.smallest; }
-    /// The sizes of a series, or the least of them.
-    template <class T>
-    std::vector<T> sizes(std::vector<T> all) const {
-        if (options_.smallest) all.resize(1);
+    /// Which sizes of a rising series are wanted; the first one always.
+    std::vector<Index> sizes(std::vector<Index> all) const {
+        while (all.size() > 1 && (options_.smallest || all.back() > options_.largest))
+            all.pop_back();
         return all;
     }
 

@@ -1,4 +1,5 @@
-// polylap_bench [--smallest] [--only GROUP] [--json FILE]: measures polylap and its peers, one thread, CPU time.
+// polylap_bench [--smallest] [--largest VERTICES] [--only GROUP] [--json FILE]: measures polylap and its peers, one
+// thread, CPU time.
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -18,12 +19,14 @@ int main(int count, char** arguments) {
         const std::string_view argument = arguments[i];
         if (argument == "--smallest") {
             options.smallest = true;
+        } else if (argument == "--largest" && i + 1 < count) {
+            options.largest = std::atoi(arguments[++i]);
         } else if (argument == "--only" && i + 1 < count) {
             options.only = arguments[++i];
         } else if (argument == "--json" && i + 1 < count) {
             json = arguments[++i];
         } else {
-            std::cerr << "usage: polylap_bench [--smallest] [--only GROUP] [--json FILE]\n";
+            std::cerr << "usage: polylap_bench [--smallest] [--largest VERTICES] [--only GROUP] [--json FILE]\n";
             return 2;
         }
     }
@@ -31,6 +34,7 @@ int main(int count, char** arguments) {
     run_assembly(bench);
     run_loading(bench);
     run_steps(bench);
+    run_pins(bench);
     run_factor(bench);
     if (json.empty()) return 0;
     std::ofstream file(json);

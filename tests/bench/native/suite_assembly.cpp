@@ -27,7 +27,7 @@ void require_same(const SparseMatrix& a, const SparseMatrix& b) {
 
 void run_assembly(Bench& bench) {
     if (!bench.wants("assembly")) return;
-    for (const Index n : bench.sizes<Index>({25'000, 250'000})) {
+    for (const Index n : bench.sizes({25'000, 250'000})) {
         const PolygonMesh mesh = torus_of(n);
         const int passes = 3;
         const auto ours = [&](const char* id, OperatorMatrices (*naive)(const PolygonMesh&)) {

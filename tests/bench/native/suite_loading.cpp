@@ -7,7 +7,7 @@ namespace polylap::bench {
 
 void run_loading(Bench& bench) {
     if (!bench.wants("loading")) return;
-    for (const Index n : bench.sizes<Index>({25'000, 250'000})) {
+    for (const Index n : bench.sizes({25'000, 250'000})) {
         const PolygonMesh mesh = torus_of(n);
         const std::string text = opened(write_mesh(mesh, MeshFormat::obj));
         bench.measure("loading", "torus", mesh.vertex_count(),

@@ -50,7 +50,7 @@ void smooth_commonly(const PolygonMesh& mesh, double time, Record& record) {
 
 void run_smoothing(Bench& bench) {
     if (!bench.wants("smoothing")) return;
-    for (const Index n : bench.sizes<Index>({10'000, 100'000, 250'000, 1'000'000})) {
+    for (const Index n : bench.sizes({10'000, 100'000, 250'000, 1'000'000})) {
         const PolygonMesh mesh = torus_of(n);
         const double time = squared_edge(mesh);
         const int rounds = rounds_at(n);
@@ -85,7 +85,7 @@ void harmonic(const PolygonMesh& mesh, const std::vector<Index>& fixed, Record& 
 
 void run_harmonic(Bench& bench) {
     if (!bench.wants("harmonic")) return;
-    for (const Index n : bench.sizes<Index>({10'000, 100'000, 250'000, 1'000'000})) {
+    for (const Index n : bench.sizes({10'000, 100'000, 250'000, 1'000'000})) {
         const int rounds = rounds_at(n);
         const PolygonMesh torus = torus_of(n);
         bench.measure("harmonic", "torus", torus.vertex_count(),
@@ -101,7 +101,7 @@ void run_harmonic(Bench& bench) {
 
 void run_spectrum(Bench& bench) {
     if (!bench.wants("eigenpairs")) return;
-    for (const Index n : bench.sizes<Index>({1000, 5000, 20'000})) {
+    for (const Index n : bench.sizes({1000, 5000, 20'000})) {
         const PolygonMesh mesh = torus_of(n);
         const SparseMatrix stiffness = build(mesh).stiffness;
         bench.measure(

@@ -12,5 +12,7 @@ void run_loading(Bench& bench);
 void run_factor(Bench& bench);
 /// What people wait for: a smoothing step, a harmonic function, eigenpairs.
 void run_steps(Bench& bench);
+/// Pins that come and go, against elimination.
+void run_pins(Bench& bench);
 
 }  // namespace polylap::bench
