@@ -1,5 +1,5 @@
 // RESULTS.md and the README's lines about speed, made from tests/bench/results.json.
-import { lookUp, metrics, targets, verdict } from './targets.mjs';
+import { lookUp, metrics, sizeName, targets, verdict } from './targets.mjs';
 
 const row = (cells) => `| ${cells.map((cell) => String(cell).replaceAll('|', '\\|')).join(' | ')} |\n`;
 const table = (head, rows) => row(head) + row(head.map(() => '---')) + rows.map(row).join('');
@@ -186,8 +186,9 @@ export function withSpeed(readme, results) {
   const find = lookUp(results);
   const ours = (n) => metrics.whole(find, 'torus', n, 'polylap');
   const over = (n, item) => times(metrics.whole(find, 'torus', n, item) / ours(n));
-  const rows = [100e3, 250e3, 1e6].map((n) => [
-    `${n / 1000}k`,
+  const sizes = [100e3, 250e3, 1e6].filter((n) => ours(n) !== undefined);
+  const rows = sizes.map((n) => [
+    sizeName(n),
     milliseconds(ours(n)),
     over(n, 'Eigen LDLT, AMD'),
     over(n, 'CHOLMOD supernodal, AMD'),
@@ -196,10 +197,10 @@ export function withSpeed(readme, results) {
     milliseconds(find.native('harmonic', 'torus', n, 'two pins', 'total')),
   ]);
   const head = ['vertices', 'factor', 'Eigen LDLT, AMD', 'CHOLMOD, AMD', 'CHOLMOD, METIS', 'smoothing', 'harmonic'];
-  const { processor } = results.native.machine;
+  const { machine, date, commit } = results.native;
   const text = `
 ${table(head, rows)}
-Quad torus, one thread of an ${processor}, from scratch; the peers' times are multiples of polylap's. ${provenance(results.native)}.
+Quad torus, one thread of an ${machine.processor}, from scratch; the peers' times are multiples of polylap's. ${provenance({ date, commit })}.
 `;
   return readme.replace(speedMarks, (_, open, close) => `${open}${text}\n${close}`);
 }

@@ -18,7 +18,7 @@ const least = (...values) => {
   const known = values.filter((value) => value !== undefined);
   return known.length > 0 ? Math.min(...known) : undefined;
 };
-const sizeName = (n) => (n >= 1e6 ? `${n / 1e6}M` : `${n / 1e3}k`);
+export const sizeName = (n) => (n >= 1e6 ? `${n / 1e6}M` : `${n / 1e3}k`);
 
 const times = (label, value, atLeast) => ({ label, value, atLeast, unit: '×' });
 const atMost = (label, value, limit, unit) => ({ label, value, atMost: limit, unit });

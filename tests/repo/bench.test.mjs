@@ -24,7 +24,7 @@ it('has a line per target, and numbers for every native target', () => {
   const find = lookUp(stored);
   const measured = targets.filter(({ what }) => !/browser|Chromium|WebAssembly/i.test(what));
   expect(measured.length).toBeGreaterThan(6);
-  for (const { measure } of measured) expect(measure(find).some(({ value }) => value > 0)).toBe(true);
+  for (const { measure } of measured) expect(measure(find).some(({ value }) => value !== undefined)).toBe(true);
 });
 
 it('judges a number by its limit', () => {
