@@ -134,6 +134,9 @@ TEST(PinnedProblem, EqualValuesGiveThatValue) {
 TEST(PinnedProblem, EveryPartHasItsOwnConstant) {
     const SparseMatrix s = stiffness(specimen("two-components"));  // vertices 0–11 and 12–16
     auto problem = get(PinnedProblem::create(s));
+    const auto none = problem.solve(std::vector<Index>{}, Vector());
+    ASSERT_FALSE(none.ok());
+    EXPECT_EQ(none.error().code, ErrorCode::unconstrained_component);
     const Vector u = get(problem.solve(std::vector<Index>{3, 14, 15}, Eigen::Vector3d(7, -2, -2)));
     EXPECT_EQ(u.head(12), Vector::Constant(12, 7));
     EXPECT_EQ(u.tail(5), Vector::Constant(5, -2));

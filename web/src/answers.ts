@@ -40,11 +40,10 @@ export class Answers {
     const { app } = this;
     const { mesh } = app.results.get();
     if (!mesh) return;
-    const { task, harmonic } = app.state.get();
+    const { task } = app.state.get();
     const ask = this.refreshers[side];
     ask.weights(mesh);
-    if (harmonic.pins.length === 0) app.patch(mesh, side, { harmonic: null });
-    else if (task === 'harmonic') ask.harmonic(mesh);
+    this.harmonic(side);
     if (task === 'check') ask.check(mesh);
     if (task === 'dual') ask.dual(mesh);
     this.row(side);
@@ -52,6 +51,15 @@ export class Answers {
 
   updateBoth(): void {
     for (const side of sides) this.update(side);
+  }
+
+  /** The harmonic function: all that depends on the pins. */
+  harmonic(side: Side): void {
+    const { mesh } = this.app.results.get();
+    const { task, harmonic } = this.app.state.get();
+    if (!mesh) return;
+    if (harmonic.pins.length === 0) this.app.patch(mesh, side, { harmonic: null });
+    else if (task === 'harmonic') this.refreshers[side].harmonic(mesh);
   }
 
   /** The row of the selected vertex. */

@@ -79,7 +79,7 @@ export class App {
 
   setPins(pins: State['harmonic']['pins']): void {
     this.state.set({ harmonic: { ...this.state.get().harmonic, pins } });
-    this.answers.updateBoth();
+    for (const side of sides) this.answers.harmonic(side);
   }
 
   setDual(patch: Partial<State['dual']>): void {

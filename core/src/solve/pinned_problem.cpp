@@ -131,7 +131,7 @@ bool PinnedProblem::holds(std::size_t pins, Eigen::Index vertices) noexcept {
 Result<Vector> PinnedProblem::solve(std::span<const Index> pins, const Eigen::Ref<const Vector>& values,
                                     Monitor monitor) {
     return guard_memory([&]() -> Result<Vector> {
-        if (!std::equal(pins.begin(), pins.end(), pins_.begin(), pins_.end())) {
+        if (!chosen_ || !std::equal(pins.begin(), pins.end(), pins_.begin(), pins_.end())) {
             if (Status status = choose(pins, monitor); !status) return status.error();
         }
         if (Status status = check_values(pins, values); !status) return status.error();
@@ -210,13 +210,14 @@ Status PinnedProblem::choose(std::span<const Index> pins, Monitor monitor) {
         if (Status status = factor_.factor(grounded_, factoring.monitor()); !status) return status;
         grounded_ = SparseMatrix();
     }
-    pins_.clear();  // what was chosen before is gone if this fails
+    chosen_ = false;
     Stretch solving{monitor, 0.7, 1};
     if (Status status = fetch_potentials(pins, solving.monitor()); !status) return status;
     anchor_ = std::move(anchor);
     reduced_ = std::move(reduced);
     if (Status status = reduce(); !status) return status;
     pins_.assign(pins.begin(), pins.end());
+    chosen_ = true;
     return Done{};
 }
 

@@ -116,6 +116,7 @@ export class Surface {
   readonly pickMaterial: ShaderMaterial;
   /** 3V, as drawn. */
   points: Float32Array;
+  private shown: Float64Array | null = null;
   private readonly normals: VectorTexture;
   /** 3F, unit length. */
   readonly faceNormals: Float32Array;
@@ -180,7 +181,9 @@ export class Surface {
   }
 
   show(values: Float64Array | null, range: { min: number; max: number } | null, colours: Texture): void {
-    this.values.update(values);
+    // The other side's may be all that has changed.
+    if (values !== this.shown) this.values.update(values);
+    this.shown = values;
     const { mapped, map, range: shown } = this.material.uniforms;
     if (map) map.value = colours;
     if (mapped) mapped.value = values !== null && range !== null;

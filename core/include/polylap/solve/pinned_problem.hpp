@@ -64,6 +64,7 @@ private:
     SpdFactor factor_;
 
     std::vector<Potential> potentials_;  ///< Those of pins_ first and in that order, then what was used before.
+    bool chosen_ = false;                ///< Whether what follows stands.
     std::vector<Index> pins_;            ///< Of the last solve.
     std::vector<Index> anchor_;          ///< Per part, the place in pins_ of its first pin.
     std::vector<Index> reduced_;         ///< Places in pins_ of the parts' other pins.
