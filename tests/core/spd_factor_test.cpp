@@ -127,10 +127,22 @@ TEST(SpdFactor, NamesTheRowWhereItFails) {
     const SparseMatrix s = get(build_operator(get(make_grid(6, 6)), {operators().front()->id, {}})).stiffness;
     SpdFactor factor;
     EXPECT_FALSE(factor.factor(s).ok());
+}
 
-    Matrix broken = Matrix::Identity(3, 3);
-    broken(1, 1) = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(refused(broken), 1);
+TEST(SpdFactor, RefusesWhatIsNotFinite) {
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (const double bad : {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity}) {
+        for (const Index column : {0, 2}) {
+            Matrix broken = Matrix::Identity(4, 4);
+            broken(2, column) = bad;
+            SpdFactor factor;
+            const Status status = factor.factor(sparse(broken));
+            ASSERT_FALSE(status.ok());
+            EXPECT_EQ(status.error().code, ErrorCode::bad_argument);
+            EXPECT_EQ(status.error().element, 2);
+            EXPECT_EQ(status.error().message, "the matrix is not finite in row 2");
+        }
+    }
 }
 
 TEST(SpdFactor, AnotherMatrixAfterAFailure) {

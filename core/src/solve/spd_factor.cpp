@@ -5,15 +5,14 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/SparseCholesky>
+#include "solve/supernodal/numeric.hpp"
+#include "solve/supernodal/symbolic.hpp"
 
 namespace polylap {
 
 struct SpdAnalysis::Impl {
-    Index size = 0;
-    std::vector<Index> outer, inner;
-    std::int64_t entries = 0;
-    double flops = 0;
+    std::vector<Index> outer, inner;  ///< The analysed pattern.
+    Symbolic symbolic;
 };
 
 SpdAnalysis::SpdAnalysis(std::unique_ptr<const Impl> impl) : impl_(std::move(impl)) {}
@@ -30,10 +29,11 @@ Result<std::shared_ptr<const SpdAnalysis>> SpdAnalysis::create(const SparseMatri
         return Error{ErrorCode::bad_argument, "the matrix has " + std::to_string(a.rows()) + " rows, but " +
                                                   std::to_string(positions.rows()) + " positions were given"};
     }
-    if (!monitor.proceed(0)) return Error{ErrorCode::cancelled, "cancelled"};
     return guard_memory([&]() -> Result<std::shared_ptr<const SpdAnalysis>> {
+        auto symbolic = analyse_pattern(a, positions, monitor);
+        if (!symbolic) return symbolic.error();
         auto impl = std::make_unique<Impl>();
-        impl->size = static_cast<Index>(a.rows());
+        impl->symbolic = *std::move(symbolic);
         impl->outer.assign(a.outerIndexPtr(), a.outerIndexPtr() + a.outerSize() + 1);
         impl->inner.assign(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros());
         return std::shared_ptr<const SpdAnalysis>(new SpdAnalysis(std::move(impl)));
@@ -41,25 +41,24 @@ Result<std::shared_ptr<const SpdAnalysis>> SpdAnalysis::create(const SparseMatri
 }
 
 bool SpdAnalysis::fits(const SparseMatrix& a) const {
-    return a.isCompressed() && a.rows() == impl_->size &&
-           static_cast<std::size_t>(a.nonZeros()) == impl_->inner.size() &&
+    return a.isCompressed() && a.rows() == size() && static_cast<std::size_t>(a.nonZeros()) == impl_->inner.size() &&
            std::equal(impl_->outer.begin(), impl_->outer.end(), a.outerIndexPtr()) &&
            std::equal(impl_->inner.begin(), impl_->inner.end(), a.innerIndexPtr());
 }
 
 Index SpdAnalysis::size() const noexcept {
-    return impl_->size;
+    return impl_->symbolic.size;
 }
 std::int64_t SpdAnalysis::factor_entries() const noexcept {
-    return impl_->entries;
+    return impl_->symbolic.entries;
 }
 double SpdAnalysis::factor_flops() const noexcept {
-    return impl_->flops;
+    return impl_->symbolic.flops;
 }
 
 struct SpdFactor::Impl {
     std::shared_ptr<const SpdAnalysis> analysis;
-    Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::AMDOrdering<Index>> ldlt;
+    Numeric numeric;
     bool factored = false;
 };
 
@@ -86,23 +85,17 @@ const std::shared_ptr<const SpdAnalysis>& SpdFactor::analysis() const noexcept {
 }
 
 Status SpdFactor::factor(const SparseMatrix& a, Monitor monitor) {
+    impl_->factored = false;
+    Stretch factoring{monitor, 0, 1};
     if (impl_->analysis == nullptr || !impl_->analysis->fits(a)) {
-        if (Status status = analyse(a, {}, monitor); !status) return status;
+        factoring.from = 0.2;
+        Stretch analysing{monitor, 0, factoring.from};
+        if (Status status = analyse(a, {}, analysing.monitor()); !status) return status;
     }
-    impl_->factored = size() == 0;
-    if (impl_->factored) return Done{};
     return guard_memory([&]() -> Status {
-        impl_->ldlt.compute(a);
-        const Vector pivots = impl_->ldlt.vectorD();
-        const auto& original = impl_->ldlt.permutationPinv().indices();
-        for (Index k = 0; k < size(); ++k) {
-            const Index row = original.size() > 0 ? original[k] : k;
-            if (pivots[k] > pivot_tolerance * std::abs(a.coeff(row, row))) continue;
-            return Error{ErrorCode::not_positive_definite,
-                         "the matrix is not positive definite (pivot of row " + std::to_string(row) + ")", row};
-        }
-        impl_->factored = true;
-        return Done{};
+        Status status = impl_->numeric.factor(impl_->analysis->impl_->symbolic, a, factoring.monitor());
+        impl_->factored = status.ok();
+        return status;
     });
 }
 
@@ -114,8 +107,7 @@ Result<Matrix> SpdFactor::solve(const Eigen::Ref<const Matrix>& rhs) const {
                                                       " rows, but the right-hand side has " +
                                                       std::to_string(rhs.rows())};
         }
-        if (size() == 0) return Matrix(0, rhs.cols());
-        return Matrix(impl_->ldlt.solve(rhs));
+        return impl_->numeric.solve(impl_->analysis->impl_->symbolic, rhs);
     });
 }
 

@@ -1,0 +1,11 @@
+#define POLYLAP_LANES 4
+#define POLYLAP_TILE_VECTORS 3
+#define POLYLAP_TILE_COLUMNS 4
+#include "solve/dense/kernels_body.hpp"
+
+namespace polylap::dense {
+
+extern const Kernels kernels_avx2;
+const Kernels kernels_avx2{"avx2", factor, downdate, forward, backward, scratch_doubles};
+
+}  // namespace polylap::dense

@@ -1,0 +1,11 @@
+#define POLYLAP_LANES 8
+#define POLYLAP_TILE_VECTORS 3
+#define POLYLAP_TILE_COLUMNS 8
+#include "solve/dense/kernels_body.hpp"
+
+namespace polylap::dense {
+
+extern const Kernels kernels_avx512;
+const Kernels kernels_avx512{"avx512", factor, downdate, forward, backward, scratch_doubles};
+
+}  // namespace polylap::dense
