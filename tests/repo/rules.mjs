@@ -56,13 +56,14 @@ const moduleImports = {
   raw: ['types', 'generated'],
   check: ['types', 'generated', 'error', 'raw'],
   session: ['types', 'generated', 'error', 'check', 'raw'],
-  load: ['error', 'raw', 'session'],
+  compile: ['error', 'check'],
+  load: ['compile', 'raw', 'session'],
   protocol: ['types', 'generated', 'raw'],
   serve: ['types', 'generated', 'error', 'check', 'session', 'protocol'],
   worker: ['load', 'serve'],
   queue: ['types', 'error', 'check', 'protocol'],
   client: ['types', 'generated', 'check', 'protocol', 'queue'],
-  index: ['types', 'generated', 'error', 'client'],
+  index: ['types', 'generated', 'error', 'compile', 'client'],
   node: ['types', 'generated', 'error', 'session', 'load'],
 };
 

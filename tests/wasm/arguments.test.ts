@@ -195,7 +195,7 @@ describe('the client', () => {
   it.each(mistakes)('rejects %s, and its worker lives on', async (_, work) => {
     expectRefusal(await rejection(work));
     expect((await mesh.shape()).area).toBe(polylap.make(torus).shape().area);
-    expect(workers.length).toBe(1);
+    expect(workers.length).toBe(2);
   });
 
   it('takes arguments as they are when it is called', async () => {
@@ -238,7 +238,7 @@ describe('the client', () => {
     expect(await smoothing).toBe(mine);
     expect(await next).toEqual(before);
     expect((await mesh.smooth(aw, time)).step).toBe(1);
-    expect(workers.length).toBe(1);
+    expect(workers.length).toBe(2);
     expect(uncaught).toEqual([]);
   });
   const throwing = (error: Error) => () => {

@@ -1,70 +1,11 @@
-/** The asynchronous client, with the real core in a real worker thread. */
-import { afterAll, afterEach, beforeAll, describe, expect, it } from 'vitest';
-import { startClient, type WorkerLike } from '../../wasm/src/client.js';
-import {
-  type Client,
-  type Mesh,
-  type OperatorSpec,
-  operators,
-  PolylapError,
-  type Smoothed,
-} from '../../wasm/src/index.js';
+/** What the asynchronous client gives. */
+import { describe, expect, it } from 'vitest';
+import { type OperatorSpec, operators, type Smoothed } from '../../wasm/src/index.js';
 import { load } from '../../wasm/src/node.js';
+import { aw, big, coordinates, failure, planar, torus, useClients } from './client-help.js';
 import { readMesh } from './native.js';
-import { bundleWorker, ThreadWorker } from './thread.js';
 
-let bundle: Awaited<ReturnType<typeof bundleWorker>>;
-beforeAll(async () => {
-  bundle = await bundleWorker();
-});
-afterAll(() => bundle.remove());
-
-const aw: OperatorSpec = { id: 'alexa-wardetzky' };
-const planar: OperatorSpec = { id: 'planar' };
-const torus = { shape: 'torus', nu: 32, nv: 16, noise: 0.3, seed: 7 } as const;
-/** Steps so small that the surface stands, and goes on standing: with large ones it soon has no area left. */
-const endless = { time: 1e-9, steps: 1_000_000 };
-/** One smoothing step on it takes longer than a cancellation is given. */
-const big = { shape: 'grid', nx: 400, ny: 400, noise: 0.2 } as const;
-
-let workers: ThreadWorker[] = [];
-let client: Client | undefined;
-
-async function start(): Promise<Client> {
-  const worker = () => {
-    workers.push(new ThreadWorker(bundle.file));
-    return last();
-  };
-  client = await startClient({ worker });
-  return client;
-}
-
-afterEach(() => {
-  client?.close();
-  workers = [];
-});
-
-const last = () => workers.at(-1) as ThreadWorker;
-
-async function failure(promise: Promise<unknown>): Promise<PolylapError> {
-  const error = await promise.then(
-    () => undefined,
-    (reason) => reason,
-  );
-  expect(error).toBeInstanceOf(PolylapError);
-  return error;
-}
-
-async function until(condition: () => boolean, timeout = 10_000) {
-  const end = performance.now() + timeout;
-  while (!condition()) {
-    if (performance.now() > end) throw new Error('waited too long');
-    await new Promise((resolve) => setTimeout(resolve, 5));
-  }
-}
-
-const textOf = (bytes: Uint8Array) => new TextDecoder().decode(bytes);
-const coordinates = async (mesh: Mesh, side: 'a' | 'b' = 'a') => textOf(await mesh.file('obj', { side }));
+const { start, worker, workers } = useClients();
 
 describe('calls', () => {
   it('gives what the synchronous API gives', async () => {
@@ -160,7 +101,7 @@ describe('calls', () => {
     expect(error).toMatchObject({ code: 'parse-error', element: 0, line: 4 });
     expect(error.message).toContain('4');
     expect((await mesh.weights(aw)).negativeOrdered).toBe(2048);
-    expect(workers.length).toBe(1);
+    expect(workers().length).toBe(1);
   });
 
   it('refuses arguments that cannot be sent, and goes on', async () => {
@@ -193,7 +134,7 @@ describe('calls', () => {
     c.close();
     for (const error of await Promise.all(waiting)) expect(error.code).toBe('cancelled');
     expect((await failure(c.make(torus))).code).toBe('cancelled');
-    expect(last().terminated).toBe(true);
+    expect(worker().terminated).toBe(true);
   });
 });
 
@@ -240,185 +181,3 @@ describe('order, progress and steps', () => {
     }
   });
 });
-
-describe('cancelling', () => {
-  it('never starts what was aborted before', async () => {
-    const mesh = await (await start()).make(torus);
-    const before = last().sent.length;
-    const error = await failure(mesh.smooth(aw, { time: 0.01 }, { signal: AbortSignal.abort() }));
-    expect(error.code).toBe('cancelled');
-    const late = new AbortController();
-    const running = mesh.smooth(aw, { time: 0.01 });
-    const waiting = failure(mesh.smooth(aw, { time: 0.01 }, { signal: late.signal }));
-    late.abort();
-    expect((await waiting).code).toBe('cancelled');
-    expect((await running).step).toBe(1);
-    expect((await mesh.smooth(aw, { time: 0.01 })).step).toBe(2);
-    expect(last().sent.length - before).toBe(2);
-  });
-
-  it('stops smoothing between steps and leaves the surface as it was', async () => {
-    const mesh = await (await start()).make(torus);
-    await mesh.smooth(aw, { time: 0.01, steps: 2 });
-    const before = await coordinates(mesh);
-    const abort = new AbortController();
-    const steps: number[] = [];
-    const onStep = ({ step }: Smoothed) => {
-      steps.push(step);
-      if (step === 4) abort.abort();
-    };
-    const error = await failure(mesh.smooth(aw, endless, { signal: abort.signal, onStep }));
-    expect(error.code).toBe('cancelled');
-    expect(steps).toEqual([3, 4]);
-    expect(await coordinates(mesh)).toBe(before);
-    expect((await mesh.smooth(aw, { time: 0.01 })).step).toBe(3);
-    expect(workers.length).toBe(1);
-  });
-
-  it('takes back what was finished when the cancellation came', async () => {
-    const c = await start();
-    const mesh = await c.make(torus);
-    const before = await coordinates(mesh);
-    const abort = new AbortController();
-    const cancelled = failure(mesh.smooth(aw, { time: 0.01 }, { signal: abort.signal }));
-    abort.abort();
-    expect((await cancelled).code).toBe('cancelled');
-    expect(await coordinates(mesh)).toBe(before);
-    expect((await mesh.smooth(aw, { time: 0.01 })).step).toBe(1);
-    const again = new AbortController();
-    const opening = failure(c.open(readMesh('grid-2x2.obj'), 'a.obj', { signal: again.signal }));
-    await until(() => last().sent.length > 5);
-    again.abort();
-    expect((await opening).code).toBe('cancelled');
-    await mesh.shape();
-    expect(last().sent.at(-2)).toMatchObject({ request: { call: 'close' } });
-    expect(workers.length).toBe(1);
-  });
-
-  it('makes nothing that is no longer wanted', async () => {
-    const c = await start();
-    const mesh = await c.make(torus);
-    const [making, converting] = [new AbortController(), new AbortController()];
-    const refused = [
-      failure(c.make(torus, { signal: making.signal })),
-      failure(mesh.convert({ conversion: 'dual' }, { signal: converting.signal })),
-    ];
-    making.abort();
-    await until(() => last().sent.some((sent) => sent.kind === 'request' && sent.request.call === 'convert'));
-    converting.abort();
-    for (const { code } of await Promise.all(refused)) expect(code).toBe('cancelled');
-    await mesh.shape();
-    // Each was closed again in the worker, by the number it had there.
-    const closed = last().sent.flatMap((sent) =>
-      sent.kind === 'request' && sent.request.call === 'close' ? [sent.request.takes.mesh] : [],
-    );
-    expect(closed).toEqual([1, 2]);
-    expect(workers.length).toBe(1);
-  });
-
-  it('ends a worker that does not stop, and goes on with everything as it was', async () => {
-    const c = await start();
-    const reasons: string[] = [];
-    c.onRestart = (reason) => reasons.push(reason);
-    const saddle = await c.open(readMesh('saddle-12x12.obj'), 'saddle.obj');
-    const mesh = await c.make(big);
-    await saddle.smooth(aw, { time: 0.01, steps: 3 });
-    await saddle.smooth(planar, { time: 0.02, steps: 2 }, { side: 'b' });
-    const dual = await saddle.convert({ conversion: 'dual' }, { side: 'b' });
-    const before = [await coordinates(saddle, 'a'), await coordinates(saddle, 'b'), await coordinates(dual)];
-
-    const abort = new AbortController();
-    const cancelled = failure(mesh.smooth(aw, { time: 1, steps: 1 }, { signal: abort.signal }));
-    const queued = [coordinates(saddle, 'a'), coordinates(saddle, 'b'), coordinates(dual)];
-    await until(() => last().sent.at(-1)?.kind === 'request');
-    await new Promise((resolve) => setTimeout(resolve, 20));
-    const aborted = performance.now();
-    abort.abort();
-    expect((await cancelled).code).toBe('cancelled');
-    const waited = performance.now() - aborted;
-    expect(waited).toBeGreaterThan(250);
-    expect(waited).toBeLessThan(1500);
-
-    expect(await Promise.all(queued)).toEqual(before);
-    expect(workers.length).toBe(2);
-    expect(workers[0]?.terminated).toBe(true);
-    expect(reasons).toEqual(['cancelled']);
-    expect((await saddle.smooth(aw, { time: 0.01 })).step).toBe(4);
-    expect((await saddle.smooth(planar, { time: 0.01 }, { side: 'b' })).step).toBe(3);
-    expect((await mesh.smooth(aw, { time: 1e-6 })).step).toBe(1);
-  });
-});
-
-describe('a worker that dies', () => {
-  it('is started again; only the request under way is lost', async () => {
-    const c = await start();
-    const reasons: string[] = [];
-    c.onRestart = (reason) => reasons.push(reason);
-    const mesh = await c.make(torus);
-    const { coordinates: before } = await mesh.smooth(aw, { time: 0.01, steps: 2 });
-    const kept = before.slice();
-    before.fill(0); // The caller's array is the caller's: the client has its own.
-    const running = failure(mesh.smooth(aw, endless));
-    const queued = mesh.smooth(planar, { time: 1e-30 });
-    await until(() => last().received.some(({ kind }) => kind === 'progress'));
-    last().crash();
-    expect(await running).toMatchObject({ code: 'worker-failed' });
-    const { step, coordinates: after } = await queued;
-    expect(step).toBe(3);
-    for (const [k, value] of after.entries()) expect(value).toBeCloseTo(kept[k] as number, 12);
-    expect(workers.length).toBe(2);
-    expect(reasons).toEqual(['the worker failed: the thread ended']);
-  });
-
-  it('is started again after a failure of its own, and after a message that cannot be read', async () => {
-    const c = await start();
-    const mesh = await c.make(torus);
-    last().say({ kind: 'failed', message: 'unreachable' });
-    expect((await mesh.weights(aw)).negativeOrdered).toBe(2048);
-    last().onmessageerror?.();
-    expect((await mesh.weights(aw)).negativeOrdered).toBe(2048);
-    expect(workers.length).toBe(3);
-  });
-
-  it('is given up after failing three times at once, with the reason', async () => {
-    const made: string[] = [];
-    const worker = () => {
-      made.push('worker');
-      const fake = new FakeWorker();
-      setTimeout(() => fake.onerror?.({ message: 'no such file' }));
-      return fake;
-    };
-    const error = await failure(startClient({ worker }));
-    expect(error).toMatchObject({ code: 'worker-failed', message: 'the worker failed: no such file' });
-    expect(made.length).toBe(3);
-    const thrown = startClient({
-      worker: () => {
-        throw new Error('workers are forbidden here');
-      },
-    });
-    expect((await failure(thrown)).message).toContain('workers are forbidden here');
-  });
-
-  it('fails all requests once it is given up', async () => {
-    const c = await start();
-    const mesh = await c.make(torus);
-    for (let k = 0; k < 3; ++k) {
-      last().say({ kind: 'failed', message: 'out of luck' });
-      await until(() => k === 2 || last().received.some(({ kind }) => kind === 'ready'));
-    }
-    expect(await failure(mesh.shape())).toMatchObject({
-      code: 'worker-failed',
-      message: 'the worker failed: out of luck',
-    });
-    expect(last().terminated).toBe(true);
-    expect(workers.length).toBe(3);
-  });
-});
-
-class FakeWorker implements WorkerLike {
-  onmessage = null;
-  onerror: ((event: { message: string }) => void) | null = null;
-  onmessageerror = null;
-  postMessage() {}
-  terminate() {}
-}

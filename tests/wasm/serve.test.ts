@@ -14,8 +14,9 @@ async function start(loading: () => Promise<Polylap> = load) {
   const said: Said[] = [];
   const port: Port = { onmessage: null, postMessage: (message, transfer) => said.push({ message, transfer }) };
   serve(port, loading);
-  await vi.waitUntil(() => said.length > 0);
   const say = (data: ToWorker) => port.onmessage?.({ data } as MessageEvent<ToWorker>);
+  say({ kind: 'start', module: undefined, warmUp: true });
+  await vi.waitUntil(() => said.length > 0);
   let id = 0;
   const ask = async (request: Request): Promise<Said> => {
     const mine = ++id;
@@ -39,7 +40,7 @@ it('says ready first, then hands over the memory of every array in a reply, each
   const { said, ask } = await start();
   expect(said[0]?.message).toEqual({ kind: 'ready' });
   const requests: [Request, number][] = [
-    [open, 9],
+    [open, 10],
     [{ call: 'weights', takes: { ...side, spec } }, 5],
     [{ call: 'harmonic', takes: { ...side, spec, fixed: { vertices: [0, 9], values: [0, 1] } } }, 2],
     [{ call: 'matrices', takes: { ...side, spec } }, 6],

@@ -34,6 +34,8 @@ export class ThreadWorker implements WorkerLike {
   /** All that went either way. */
   readonly sent: ToWorker[] = [];
   readonly received: FromWorker[] = [];
+  /** Called with each message before it goes. */
+  onSent: ((message: ToWorker) => void) | null = null;
   terminated = false;
   readonly #thread: Thread;
 
@@ -49,9 +51,10 @@ export class ThreadWorker implements WorkerLike {
     });
   }
 
-  postMessage(message: ToWorker): void {
+  postMessage(message: ToWorker, transfer: Transferable[]): void {
     this.sent.push(message);
-    this.#thread.postMessage(message);
+    this.onSent?.(message);
+    this.#thread.postMessage(message, transfer as []);
   }
 
   terminate(): void {

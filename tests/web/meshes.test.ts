@@ -176,7 +176,7 @@ describe('long work', () => {
     await shows(page, 'step', 1, 1);
     const area = await readout(page, 'area', 'a');
     const workers = page.workers();
-    expect(workers.length).toBe(1);
+    expect(workers.length).toBe(2);
     await workers[0]?.evaluate(() => {
       setTimeout(() => {
         throw new Error('killed by a test');

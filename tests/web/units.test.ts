@@ -1,5 +1,5 @@
 /** The parts of the page that need no browser. */
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { load } from '../../wasm/src/node.js';
 import { boundaryPins, examplePins } from '../../web/src/boundary-pins.js';
 import { sharedRange } from '../../web/src/colouring.js';
@@ -12,7 +12,7 @@ import { freshSide } from '../../web/src/results.js';
 import { sparseRow } from '../../web/src/sparse-row.js';
 import { initialState, withPin } from '../../web/src/state.js';
 import { Store } from '../../web/src/store.js';
-import { isCancelled, Work } from '../../web/src/work.js';
+import { isCancelled, Unwanted, Work } from '../../web/src/work.js';
 
 describe('numbers for people', () => {
   it.each([
@@ -140,22 +140,66 @@ describe('work', () => {
   });
 });
 
-describe('work that waits', () => {
-  it('is dropped, what is under way is not', async () => {
+describe('work that nobody waits for any more', () => {
+  /** Jobs that end when told to, or when cancelled. */
+  function jobs(...given: [label: string, side: 'a' | 'b'][]) {
     const work = new Work(() => {});
-    const signals: AbortSignal[] = [];
-    const ends: (() => void)[] = [];
-    const runs = [0, 1, 2].map(() =>
-      work.run('one after the other', ({ signal }) => {
-        signals.push(signal);
-        return new Promise<void>((done) => ends.push(done));
-      }),
-    );
-    work.cancelWaiting();
-    expect(signals.map(({ aborted }) => aborted)).toEqual([false, true, true]);
-    for (const end of ends) end();
-    await Promise.all(runs);
+    const at = given.map(([label, side]) => {
+      const job = {
+        aborted: false,
+        end: () => {},
+        onProgress: (_: number) => {},
+        outcome: Promise.resolve<unknown>(0),
+      };
+      const run = work.run(
+        label,
+        ({ signal, onProgress }) =>
+          new Promise<unknown>((done, reject) => {
+            signal.addEventListener('abort', () => {
+              job.aborted = true;
+              reject(signal.reason);
+            });
+            Object.assign(job, { end: () => done('done'), onProgress });
+          }),
+        side,
+      );
+      job.outcome = run.catch((reason) => reason);
+      return job;
+    });
+    return { work, at, aborted: () => at.map((job) => job.aborted) };
+  }
+
+  it('is dropped on both sides, but for what is under way', async () => {
+    const { work, at, aborted } = jobs(['one', 'a'], ['two', 'a'], ['three', 'b'], ['four', 'b']);
+    work.makeWay();
+    expect(aborted()).toEqual([false, true, false, true]);
+    for (const { end } of at) end();
+    const outcomes = await Promise.all(at.map(({ outcome }) => outcome));
+    expect(outcomes.map((outcome) => outcome instanceof Unwanted)).toEqual([false, true, false, true]);
+    expect(outcomes.every((outcome) => outcome === 'done' || isCancelled(outcome))).toBe(true);
     expect(work.idle).toBe(true);
+  });
+
+  it('is dropped where something newer of its name waits', () => {
+    const { work, aborted } = jobs(['weights', 'a'], ['harmonic', 'a'], ['weights', 'a']);
+    work.supersede('weights');
+    expect(aborted()).toEqual([false, false, true]);
+  });
+
+  it('is stopped when it would go on for long', () => {
+    vi.useFakeTimers();
+    try {
+      const { work, at, aborted } = jobs(['short', 'a'], ['long', 'b']);
+      work.makeWay();
+      vi.advanceTimersByTime(400);
+      at[0]?.onProgress(0.9);
+      at[1]?.onProgress(0.1);
+      expect(aborted()).toEqual([false, false]);
+      vi.advanceTimersByTime(200);
+      expect(aborted()).toEqual([false, true]);
+    } finally {
+      vi.useRealTimers();
+    }
   });
 });
 

@@ -31,6 +31,19 @@ val open(const val& bytes, const std::string& name, bool repair, double merge_di
     });
 }
 
+val from_arrays(const val& coordinates, const val& offsets, const val& corners, val callback) {
+    return guarded([&]() -> Result<val> {
+        auto points = points_of(coordinates);
+        if (!points) return points.error();
+        using emscripten::convertJSArrayToNumberVector;
+        auto mesh = PolygonMesh::create(*std::move(points), convertJSArrayToNumberVector<Index>(offsets),
+                                        convertJSArrayToNumberVector<Index>(corners));
+        if (!mesh) return mesh.error();
+        Tick tick(std::move(callback));
+        return owned(Session::from_mesh(*std::move(mesh), tick.monitor()));
+    });
+}
+
 bool is_seed(std::string_view name) {
     return name == "seed";
 }
@@ -99,6 +112,13 @@ val geometry(const Session& session) {
             entry("triangles",
                   array(reinterpret_cast<const Index*>(display.triangles.data()), 3 * display.triangles.size())),
             entry("triangleEdges", array(display.edges)), entry("triangleFaces", array(display.face)));
+    });
+}
+
+val coordinates(const Session& session) {
+    return guarded([&]() -> Result<val> {
+        const Points& points = session.mesh().positions();
+        return array(points.data(), static_cast<std::size_t>(points.size()));
     });
 }
 
@@ -210,10 +230,9 @@ val reset(Session& session, Side side) {
 
 val restore(Session& session, Side side, const val& coordinates, int steps) {
     return guarded([&]() -> Result<val> {
-        const auto data = emscripten::convertJSArrayToNumberVector<double>(coordinates);
-        if (data.size() % 3 != 0) return Error{ErrorCode::bad_argument, "coordinates must come in threes"};
-        return nothing(session.restore(
-            side, Eigen::Map<const Points>(data.data(), static_cast<Eigen::Index>(data.size() / 3), 3), steps));
+        auto points = points_of(coordinates);
+        if (!points) return points.error();
+        return nothing(session.restore(side, *std::move(points), steps));
     });
 }
 
@@ -232,6 +251,7 @@ EMSCRIPTEN_BINDINGS(polylap_session) {
         .smart_ptr<std::shared_ptr<Session>>("SharedSession")
         .function("info", &info)
         .function("geometry", &geometry)
+        .function("coordinates", &coordinates)
         .function("surface", &surface)
         .function("shape", &shape)
         .function("file", &file)
@@ -247,6 +267,7 @@ EMSCRIPTEN_BINDINGS(polylap_session) {
         .function("restore", &restore);
 
     function("open", &open);
+    function("fromArrays", &from_arrays);
     function("make", &make);
     function("convergence", &convergence);
 }

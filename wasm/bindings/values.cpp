@@ -20,6 +20,14 @@ val triple(const Vector3& v) {
     return result;
 }
 
+Result<Points> points_of(const val& coordinates) {
+    const auto size = coordinates["length"].as<std::size_t>();
+    if (size % 3 != 0) return Error{ErrorCode::bad_argument, "coordinates must come in threes"};
+    Points points(static_cast<Eigen::Index>(size / 3), 3);
+    val(emscripten::typed_memory_view(size, points.data())).call<void>("set", coordinates);
+    return points;
+}
+
 val sparse(SparseMatrix matrix) {
     matrix.makeCompressed();
     const auto entries = static_cast<std::size_t>(matrix.nonZeros());

@@ -71,6 +71,8 @@ val list(const Range& range, Function&& function) {
 }
 
 val triple(const Vector3& v);
+/// @param coordinates a Float64Array   @error bad_argument (not in threes)
+Result<Points> points_of(const val& coordinates);
 val sparse(SparseMatrix matrix);
 
 /// A callback of JavaScript, (fraction) => boolean, as Monitor.

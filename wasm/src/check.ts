@@ -70,14 +70,18 @@ export function optionalFunction(value: unknown, name: string): void {
   if (typeof (value ?? show) !== 'function') throw badArgument(`${name} must be a function, not ${show(value)}`);
 }
 
-/** @param each checks a number and names it in its error */
-export function numbers<T>(
-  type: { from(values: ArrayLike<number>, each: (value: unknown, k: number) => number): T },
+/** @param each checks a number and names it in its error. An array of the type itself needs no check, and no copy: C++ makes its own. */
+export function numbers<T extends object>(
+  type: {
+    from(values: ArrayLike<number>, each: (value: unknown, k: number) => number): T;
+    new (length: number): T;
+  },
   values: ArrayLike<number>,
   name: string,
   each: (value: unknown, name: string) => number,
 ): T {
   if (typeof values !== 'object' || values === null) throw badArgument(`${name} must be an array, not ${show(values)}`);
+  if (values instanceof type) return values;
   return reading(name, () => {
     wholeNumber(values.length, `the number of ${name}`, 0);
     return type.from(values, (value, k) => each(value, `${name}[${k}]`));
@@ -173,6 +177,7 @@ export function runOf<T extends SmoothRunOptions>(given: T): T {
   optionalFunction(run.onStep, 'onStep');
   if (!((run.signal ?? undefined) === undefined || run.signal instanceof AbortSignal))
     throw badArgument('signal must be an AbortSignal');
+  if (run.side !== undefined) oneOf(run.side, ['a', 'b'], 'the side');
   return run;
 }
 

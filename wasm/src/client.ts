@@ -1,5 +1,15 @@
-/** The asynchronous API: the meshes that live in the worker, and what it takes to make them again in another one. */
-import { conversionParts, openOptions, ownBytes, ownOperator, runOf, shapeParts, text } from './check.js';
+/** The asynchronous API: two workers, one for each side, and what it takes to have a mesh in either. */
+import {
+  badArgument,
+  conversionParts,
+  oneOf,
+  openOptions,
+  ownBytes,
+  ownOperator,
+  runOf,
+  shapeParts,
+  text,
+} from './check.js';
 import type { ConversionSpec, OperatorSpec, ShapeSpec } from './generated.js';
 import type { CallName, Gives, OnSide, Opened, Request, Saved, Source, Takes } from './protocol.js';
 import { type Subject, type WorkerLike, WorkerQueue } from './queue.js';
@@ -7,6 +17,7 @@ import type {
   Client,
   ConvergenceStudy,
   Mesh,
+  MeshArrays,
   OpenOptions,
   RunOptions,
   Side,
@@ -17,43 +28,92 @@ import type {
 export type { WorkerLike } from './queue.js';
 
 export interface ClientOptions {
-  /** Makes the worker that runs worker.ts; called again after a restart. */
-  worker: () => WorkerLike;
+  /** Makes the worker that runs worker.ts for a side; called again after a restart. */
+  worker: (side: Side) => WorkerLike;
+  /** polylap.wasm, compiled, for all workers; without it each gets it by itself. */
+  module?: () => Promise<WebAssembly.Module>;
 }
 
 /** @throws PolylapError `worker-failed` when the worker cannot be started */
 export async function startClient(options: ClientOptions): Promise<Client> {
   const client = new WorkerClient(options);
-  await client.started;
+  try {
+    await client.started;
+  } catch (error) {
+    client.close();
+    throw error;
+  }
   return client;
 }
 
-/** What it takes to make a mesh again in another worker. */
-interface MeshState extends Subject {
-  id: number;
-  source: Source;
-  sides: Map<Side, Saved>;
-}
+const sides: readonly Side[] = ['a', 'b'];
 
 type OnSideCall = { [K in CallName]: Takes<K> extends OnSide ? K : never }[CallName];
 type Run = Omit<RunOptions, 'side'>;
 
+/** What it takes to make a mesh again in a worker: side a lives in one, side b in the other. */
+class MeshState {
+  arrays: MeshArrays | undefined;
+  closed = false;
+  readonly saved = new Map<Side, Saved>();
+  /** What it is to each worker. */
+  readonly on: Readonly<Record<Side, Subject>> = {
+    a: { bring: () => this.#bring('a') },
+    b: { bring: () => this.#bring('b') },
+  };
+
+  constructor(readonly id: number) {}
+
+  /** The arrays of a reply are the caller's, who may change them; but for the coordinates, which only the client sees. */
+  take({ geometry, coordinates }: Opened): void {
+    this.arrays = { coordinates, offsets: geometry.offsets.slice(), corners: geometry.corners.slice() };
+  }
+
+  #bring(side: Side): Request[] {
+    if (!this.arrays) throw new Error('this mesh has not been opened');
+    const adopt: Request = { call: 'adopt', takes: { mesh: this.id, arrays: this.arrays } };
+    return this.saved.has(side) ? [adopt, this.backTo(side)] : [adopt];
+  }
+
+  /** The request that puts a side where the client remembers it. */
+  backTo(side: Side): Request {
+    const saved = this.saved.get(side);
+    return saved
+      ? { call: 'restore', takes: { mesh: this.id, side, saved } }
+      : { call: 'reset', takes: { mesh: this.id, side } };
+  }
+}
+
 class WorkerClient implements Client {
-  onRestart?: (reason: string) => void;
-  readonly #queue: WorkerQueue;
-  readonly #meshes = new Map<number, MeshState>();
+  onRestart?: (reason: string, side: Side) => unknown;
+  readonly #queues: Readonly<Record<Side, WorkerQueue>>;
+  #module: Promise<WebAssembly.Module | undefined> | undefined;
   #nextMesh = 0;
 
-  constructor({ worker }: ClientOptions) {
-    this.#queue = new WorkerQueue({
-      worker,
-      remembered: () => [...this.#meshes.values()].map((state) => [state, requestsFor(state)]),
-      onRestart: (reason) => this.onRestart?.(reason),
-    });
+  constructor({ worker, module: compile }: ClientOptions) {
+    const module = () => {
+      if (!this.#module) {
+        this.#module = compile?.() ?? Promise.resolve(undefined);
+        // What went wrong may go right for the next worker.
+        this.#module.catch(() => {
+          this.#module = undefined;
+        });
+      }
+      return this.#module;
+    };
+    const queue = (side: Side) =>
+      new WorkerQueue({
+        worker: () => worker(side),
+        module,
+        // Of one module, machine code is optimised for all its instances.
+        warmUp: side === 'a' || !compile,
+        onRestart: (reason) => this.onRestart?.(reason, side),
+      });
+    this.#queues = { a: queue('a'), b: queue('b') };
   }
 
   get started(): Promise<void> {
-    return this.#queue.started;
+    return this.#queues.a.started;
   }
 
   async open(
@@ -63,7 +123,8 @@ class WorkerClient implements Client {
   ): Promise<Mesh> {
     const [file, run] = [text(name, 'the name of a mesh'), runOf(given)];
     const options = openOptions(run);
-    return this.#open({ bytes: await ownBytes(bytes), name: file, options }, file, run);
+    const own = await ownBytes(bytes);
+    return this.#open({ bytes: own, name: file, options }, file, run, [own.buffer]);
   }
 
   async make(shape: ShapeSpec, run: Run = {}): Promise<Mesh> {
@@ -72,42 +133,66 @@ class WorkerClient implements Client {
   }
 
   async convergence(spec: OperatorSpec, run: Run = {}): Promise<ConvergenceStudy[]> {
-    return this.#queue.call('convergence', { spec: ownOperator(spec) }, {}, { run: runOf(run) });
+    return this.#queues[this.#freeSide()].call('convergence', { spec: ownOperator(spec) }, { run: runOf(run) });
   }
 
   close(): void {
-    this.#queue.close();
-    this.#meshes.clear();
+    for (const queue of Object.values(this.#queues)) queue.close();
   }
 
-  async #open(source: Source, name: string, run: Run): Promise<Mesh> {
-    const state = this.#newState(source);
-    const opened = await this.#queue.call('open', { mesh: state.id, source }, state, { run, ...this.#keeping(state) });
+  /** Where there is nothing to wait for, if anywhere. */
+  #freeSide(): Side {
+    return this.#queues.b.idle && !this.#queues.a.idle ? 'b' : 'a';
+  }
+
+  async #open(source: Source, name: string, run: Run, transfer: Transferable[] = []): Promise<Mesh> {
+    const state = new MeshState(this.#nextMesh++);
+    const side = this.#freeSide();
+    const takes = { mesh: state.id, source };
+    const opened = await this.#queues[side].call('open', takes, { run, transfer, ...this.#keeping(state, side) });
     return this.#mesh(state, name, opened);
   }
 
-  #newState(source: Source): MeshState {
-    return { id: this.#nextMesh++, source, sides: new Map() };
-  }
-
   /** What to do when a new mesh is there, and when nobody wants it any more. */
-  #keeping(state: MeshState) {
+  #keeping(state: MeshState, side: Side) {
     return {
-      commit: () => this.#meshes.set(state.id, state),
-      undo: () => this.#queue.putFirst(state, { call: 'close', takes: { mesh: state.id } }),
+      commit: (opened: Opened) => {
+        state.take(opened);
+        this.#queues[side].has(state.on[side]);
+      },
+      undo: (): Request => ({ call: 'close', takes: { mesh: state.id } }),
     };
   }
 
+  /** A request that is void in a worker without the mesh, in both. */
+  async #everywhere(state: MeshState, sides: readonly Side[], call: 'reset' | 'close'): Promise<undefined> {
+    const one = (side: Side) =>
+      this.#queues[side].call(
+        call,
+        { mesh: state.id, side },
+        {
+          subject: state.on[side],
+          onlyIfThere: true,
+          commit: () => {
+            state.saved.delete(side);
+            if (call === 'close') this.#queues[side].forget(state.on[side]);
+          },
+        },
+      );
+    await Promise.all(sides.map(one));
+  }
+
   #mesh(state: MeshState, name: string, { info, geometry }: Opened): Mesh {
-    const ask = <K extends OnSideCall>(
+    const ask = async <K extends OnSideCall>(
       call: K,
       takes: Omit<Takes<K>, keyof OnSide>,
       run: SmoothRunOptions,
-      hooks: { commit?: (value: Gives<K>) => unknown; undo?: () => void } = {},
+      hooks: { commit?: (value: Gives<K>) => unknown; undo?: () => Request } = {},
     ) => {
+      if (state.closed) throw badArgument('this mesh has been closed');
       const { side = 'a' } = run;
       const all = { mesh: state.id, side, ...takes } as unknown as Takes<K>;
-      return this.#queue.call(call, all, state, { run, ...hooks });
+      return this.#queues[side].call(call, all, { subject: state.on[side], run, ...hooks });
     };
     // All are async for what they throw to become a rejection.
     return {
@@ -124,48 +209,31 @@ class WorkerClient implements Client {
           const saved = { coordinates: coordinates.slice(), step };
           // The worker tells of all steps but the last, which is the value. If its callback throws, the step has not been.
           onStep?.(smoothed);
-          state.sides.set(side, saved);
+          state.saved.set(side, saved);
         };
-        const undo = () => this.#queue.putFirst(state, backTo(state, side));
         const takes = { spec: ownOperator(spec), options, showSteps: typeof onStep === 'function' };
-        return ask('smooth', takes, run, { commit, undo });
+        return ask('smooth', takes, run, { commit, undo: () => state.backTo(side) });
       },
       harmonic: async (spec, fixed, run = {}) => ask('harmonic', { spec: ownOperator(spec), fixed }, runOf(run)),
       matrices: async (spec, run = {}) => ask('matrices', { spec: ownOperator(spec) }, runOf(run)),
       check: async (spec, run = {}) => ask('check', { spec: ownOperator(spec) }, runOf(run)),
       dual: async (options = {}, run = {}) => ask('dual', { options }, runOf(run)),
       file: async (format, run = {}) => ask('file', { format }, runOf(run)),
-      convert: async (conversion, run = {}) => {
+      convert: async (conversion, given = {}) => {
         const { id, settings } = conversionParts(conversion);
+        const run = runOf(given);
         const own = { conversion: id, ...settings } as ConversionSpec;
-        // Its source is the file that comes with it: all 17 digits, so that it can be made again as it was.
-        const made = this.#newState({ bytes: new Uint8Array(), name: 'converted.obj', options: {} });
-        const { commit: keep, undo } = this.#keeping(made);
-        const commit = ({ file }: Gives<'convert'>) => {
-          made.source = { bytes: file, name: 'converted.obj', options: {} };
-          keep();
-        };
-        const opened = await ask('convert', { conversion: own, made: made.id }, runOf(run), { commit, undo });
+        const made = new MeshState(this.#nextMesh++);
+        const hooks = this.#keeping(made, run.side ?? 'a');
+        const opened = await ask('convert', { conversion: own, made: made.id }, run, hooks);
         return this.#mesh(made, `${id} of ${name}`, opened);
       },
-      reset: async (side) => {
-        const commit = () => (side === undefined ? state.sides.clear() : state.sides.delete(side));
-        return this.#queue.call('reset', { mesh: state.id, side }, state, { commit });
+      reset: async (side) =>
+        this.#everywhere(state, side === undefined ? sides : [oneOf(side, sides, 'the side')], 'reset'),
+      close: async () => {
+        state.closed = true;
+        return this.#everywhere(state, sides, 'close');
       },
-      close: async () =>
-        this.#queue.call('close', { mesh: state.id }, state, { commit: () => this.#meshes.delete(state.id) }),
     };
   }
-}
-
-/** The requests that bring a mesh into a new worker, in the order in which they are to run. */
-function requestsFor(state: MeshState): Request[] {
-  const open: Request = { call: 'open', takes: { mesh: state.id, source: state.source } };
-  return [open, ...[...state.sides.keys()].map((side) => backTo(state, side))];
-}
-
-/** The request that puts a side where the client remembers it. */
-function backTo({ id, sides }: MeshState, side: Side): Request {
-  const saved = sides.get(side);
-  return saved ? { call: 'restore', takes: { mesh: id, side, saved } } : { call: 'reset', takes: { mesh: id, side } };
 }

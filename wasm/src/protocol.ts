@@ -1,4 +1,4 @@
-/** What the client and its worker say to each other. The client has one request under way at a time and keeps the queue. */
+/** What the client and one of its workers say to each other. The client has one request under way at a time and keeps the queue. */
 import type { ConversionSpec, OperatorSpec, ShapeSpec } from './generated.js';
 import type { RawError } from './raw.js';
 import type {
@@ -10,6 +10,7 @@ import type {
   Geometry,
   Harmonic,
   Matrices,
+  MeshArrays,
   MeshFormat,
   MeshInfo,
   OpenOptions,
@@ -20,12 +21,14 @@ import type {
   Weights,
 } from './types.js';
 
-/** From what a mesh can be made again. */
+/** From what a mesh is made. */
 export type Source = { bytes: Uint8Array; name: string; options: OpenOptions } | { spec: ShapeSpec };
 
 export interface Opened {
   info: MeshInfo;
   geometry: Geometry;
+  /** 3V, as they are: with the geometry's faces, all that another worker needs to have the same mesh. */
+  coordinates: Float64Array;
 }
 
 /** The part of a surface that smoothing changes. */
@@ -34,6 +37,8 @@ export type Saved = Pick<Smoothed, 'coordinates' | 'step'>;
 /** Each call with its arguments and its value. Meshes are numbered by the client. */
 export interface Calls {
   open: { takes: { mesh: number; source: Source }; gives: Opened };
+  /** Takes over a mesh that another worker opened. */
+  adopt: { takes: { mesh: number; arrays: MeshArrays }; gives: undefined };
   close: { takes: { mesh: number }; gives: undefined };
   weights: { takes: OnSide & { spec: OperatorSpec }; gives: Weights };
   shape: { takes: OnSide; gives: Shape };
@@ -43,9 +48,9 @@ export interface Calls {
   check: { takes: OnSide & { spec: OperatorSpec }; gives: Check };
   dual: { takes: OnSide & { options: DualOptions }; gives: Dual };
   file: { takes: OnSide & { format: MeshFormat }; gives: Uint8Array };
-  /** The new mesh gets the number `made`; from its file it can be made again. */
-  convert: { takes: OnSide & { conversion: ConversionSpec; made: number }; gives: Opened & { file: Uint8Array } };
-  reset: { takes: { mesh: number; side: Side | undefined }; gives: undefined };
+  /** The new mesh gets the number `made`. */
+  convert: { takes: OnSide & { conversion: ConversionSpec; made: number }; gives: Opened };
+  reset: { takes: OnSide; gives: undefined };
   restore: { takes: OnSide & { saved: Saved }; gives: undefined };
   convergence: { takes: { spec: OperatorSpec }; gives: ConvergenceStudy[] };
 }
@@ -63,7 +68,11 @@ export type Gives<K extends CallName> = Calls[K]['gives'];
 export type RequestOf<K extends CallName> = { [C in K]: { call: C; takes: Takes<C> } }[K];
 export type Request = RequestOf<CallName>;
 
-export type ToWorker = { kind: 'request'; id: number; request: Request } | { kind: 'cancel'; id: number };
+export type ToWorker =
+  /** First of all; without a module the worker gets it by itself. */
+  | { kind: 'start'; module: WebAssembly.Module | undefined; warmUp: boolean }
+  | { kind: 'request'; id: number; request: Request }
+  | { kind: 'cancel'; id: number };
 
 export type FromWorker =
   | { kind: 'ready' }

@@ -1,8 +1,8 @@
 /**
- * The client's queue of requests, and the life of its worker.
+ * The client's queue of requests to one of its workers, and that worker's life.
  *
  * The queue lives here and one request is under way at a time, so that a request which has not started can be dropped, and a new worker can go on
- * where the old one ended: from what the client remembers.
+ * where the old one ended: meshes come into a worker when something is first asked about them there.
  */
 import { messageOf, ownCopy } from './check.js';
 import { PolylapError } from './error.js';
@@ -11,7 +11,7 @@ import type { SmoothRunOptions } from './types.js';
 
 /** What the client needs of a Worker; it sets the handlers. */
 export interface WorkerLike {
-  postMessage(message: unknown): void;
+  postMessage(message: unknown, transfer: Transferable[]): void;
   terminate(): void;
   onmessage: ((event: never) => void) | null;
   onerror: ((event: never) => void) | null;
@@ -23,24 +23,32 @@ const cancelGrace = 300;
 /** A worker that fails so often in a row without having been asked for anything is given up. */
 const startAttempts = 3;
 
-/** What requests work on: a mesh, or nothing that could be lost. */
+/** What requests work on, and what brings it into a worker that does not have it. */
 export interface Subject {
-  /** Why it could not be taken over by another worker. */
-  lost?: PolylapError;
+  bring(): Request[];
 }
 
 interface Hooks<K extends CallName> {
+  /** None: the request needs nothing in the worker. */
+  subject?: Subject;
+  /** The request is void where the subject is not in the worker. */
+  onlyIfThere?: boolean;
   run?: SmoothRunOptions;
+  /** Memory in the arguments that the client gives up. */
+  transfer?: Transferable[];
   /** Takes the value into the client's memory before the caller sees it. */
   commit?: (value: Gives<K>) => unknown;
-  undo?: () => void;
+  /** What makes the worker forget what a request did that was cancelled too late. */
+  undo?: () => Request;
 }
 
 export interface QueueOptions {
   /** Makes the worker that runs worker.ts; called again after a restart. */
   worker: () => WorkerLike;
-  /** What brings a new worker to where the last one was. */
-  remembered: () => Iterable<[Subject, Request[]]>;
+  /** The core, compiled once for all workers; undefined: the worker is to get it by itself. */
+  module: () => Promise<WebAssembly.Module | undefined>;
+  /** Whether the worker is to warm the solver up. */
+  warmUp: boolean;
   onRestart: (reason: string) => void;
 }
 
@@ -48,18 +56,19 @@ export interface QueueOptions {
 interface Job {
   id: number;
   request: Request;
-  subject: Subject;
+  /** What is to be sent before it. */
+  first: Request[];
+  subject?: Subject;
+  onlyIfThere: boolean;
+  transfer: Transferable[];
   run: SmoothRunOptions;
-  /** A request of the client's own, to bring a worker into the state that the client remembers. */
-  internal: boolean;
   /** Set when it was cancelled, or when a callback threw: with what to reject it. */
   stopped?: { error: unknown };
   /** Takes the value in before the caller sees it; nobody can cancel any more. */
   commit: (value: never) => void;
   resolve: (value: never) => void;
   reject: (error: unknown) => void;
-  /** Makes the worker forget what a request did that was cancelled too late. */
-  undo?: () => void;
+  undo?: () => Request;
 }
 
 const cancelled = () => new PolylapError('cancelled', 'cancelled');
@@ -68,9 +77,7 @@ const closed = () => new PolylapError('cancelled', 'the client has been closed')
 export class WorkerQueue {
   readonly started: Promise<void>;
 
-  readonly #makeWorker: QueueOptions['worker'];
-  readonly #remembered: QueueOptions['remembered'];
-  readonly #onRestart: QueueOptions['onRestart'];
+  readonly #options: QueueOptions;
   #worker: WorkerLike | undefined;
   #ready = false;
   #started: { resolve: () => void; reject: (error: PolylapError) => void } | undefined;
@@ -78,45 +85,67 @@ export class WorkerQueue {
   #ended: (() => PolylapError) | undefined;
   #restartReason: string | undefined;
   #failures = 0;
+  /** What the worker has. */
+  readonly #there = new Set<Subject>();
   #queue: Job[] = [];
   #current: Job | undefined;
   #grace: ReturnType<typeof setTimeout> | undefined;
   #nextId = 0;
 
-  constructor({ worker, remembered, onRestart }: QueueOptions) {
-    this.#makeWorker = worker;
-    this.#remembered = remembered;
-    this.#onRestart = onRestart;
+  constructor(options: QueueOptions) {
+    this.#options = options;
     this.started = new Promise((resolve, reject) => {
       this.#started = { resolve, reject };
     });
+    // Whoever asks for something will be told.
+    this.started.catch(() => {});
     this.#start();
+  }
+
+  /** Whether a request would be sent at once. */
+  get idle(): boolean {
+    return this.#ready && !this.#current;
   }
 
   close(): void {
     this.#end(closed);
   }
 
+  /** Says that the worker has something now. */
+  has(subject: Subject): void {
+    this.#there.add(subject);
+  }
+
+  forget(subject: Subject): void {
+    this.#there.delete(subject);
+  }
+
   async call<K extends CallName>(
     call: K,
     takes: Takes<K>,
-    subject: Subject,
-    { run = {}, commit, undo }: Hooks<K> = {},
+    { subject, onlyIfThere = false, run = {}, transfer = [], commit, undo }: Hooks<K> = {},
   ): Promise<Gives<K>> {
     // The caller may change the arguments while the request waits. A source is the client's own already, and may be large.
     const request = { call, takes: 'source' in takes ? takes : ownCopy(takes) } as Request;
     return new Promise((resolve, reject) => {
       if (this.#ended) return reject(this.#ended());
       if (run.signal?.aborted) return reject(cancelled());
+      const isVoid = onlyIfThere && subject && !this.#there.has(subject);
+      if (isVoid && !this.#current && this.#queue.length === 0) {
+        commit?.(undefined as Gives<K>);
+        return resolve(undefined as Gives<K>);
+      }
       const onAbort = () => this.#cancel(job, cancelled());
       run.signal?.addEventListener('abort', onAbort, { once: true });
       const forget = () => run.signal?.removeEventListener('abort', onAbort);
       const job: Job = {
         id: this.#nextId++,
         request,
-        subject,
+        first: [],
+        ...(subject && { subject }),
+        onlyIfThere,
+        transfer,
         run,
-        internal: false,
         commit: (value: Gives<K>) => {
           forget();
           commit?.(value);
@@ -133,49 +162,35 @@ export class WorkerQueue {
     });
   }
 
-  /** Puts requests of the client's own at the head of the queue. A mesh that it fails on is lost. */
-  putFirst(subject: Subject, ...requests: Request[]): void {
-    const jobs = requests.map((request): Job => {
-      const reject = (error: unknown) => {
-        subject.lost ??= error as PolylapError;
-      };
-      const nothing = () => {};
-      return {
-        id: this.#nextId++,
-        request,
-        subject,
-        run: {},
-        internal: true,
-        commit: nothing,
-        resolve: nothing,
-        reject,
-      };
-    });
-    this.#queue.unshift(...jobs);
-  }
-
   #sendNext(): void {
     while (this.#ready && !this.#current) {
       const job = this.#queue.shift();
-      if (!job?.internal) this.#tellRestart();
       if (!job) return;
-      if (job.subject.lost && job.request.call !== 'close') {
-        job.reject(job.subject.lost);
-        continue;
-      }
       this.#current = job;
-      try {
-        this.#send({ kind: 'request', id: job.id, request: job.request });
-      } catch (error) {
-        this.#current = undefined;
-        // They could be copied once; what is missing is room for another copy.
-        job.reject(new PolylapError('out-of-memory', `the arguments cannot be sent: ${messageOf(error)}`));
+      const there = !job.subject || this.#there.has(job.subject);
+      if (there) this.#sendPart(job);
+      else if (job.onlyIfThere) this.#settle({ kind: 'done', id: job.id, value: undefined });
+      else {
+        job.first = job.subject?.bring() ?? [];
+        this.#sendPart(job);
       }
     }
   }
 
-  #send(message: ToWorker): void {
-    this.#worker?.postMessage(message);
+  /** Sends what is next of a job: what its subject needs to be there, or the request itself. */
+  #sendPart(job: Job): void {
+    const [request = job.request] = job.first;
+    try {
+      this.#send({ kind: 'request', id: job.id, request }, request === job.request ? job.transfer : []);
+    } catch (error) {
+      this.#current = undefined;
+      // They could be copied once; what is missing is room for another copy.
+      job.reject(new PolylapError('out-of-memory', `the arguments cannot be sent: ${messageOf(error)}`));
+    }
+  }
+
+  #send(message: ToWorker, transfer: Transferable[] = []): void {
+    this.#worker?.postMessage(message, transfer);
   }
 
   #cancel(job: Job, error: unknown): void {
@@ -213,7 +228,7 @@ export class WorkerQueue {
   /** Tells the caller how the request gets on; it ends with what the callback throws. */
   #tell(id: number, callback: (run: SmoothRunOptions) => void): void {
     const job = this.#current;
-    if (job?.id !== id || job.stopped) return;
+    if (job?.id !== id || job.stopped || job.first.length > 0) return;
     try {
       callback(job.run);
     } catch (error) {
@@ -223,8 +238,19 @@ export class WorkerQueue {
 
   #settle(reply: Extract<FromWorker, { kind: 'done' | 'error' }>): void {
     const job = this.#current;
-    if (job?.id !== reply.id) return;
-    if (!job.internal) this.#failures = 0;
+    if (job?.id !== reply.id) {
+      // Something could not be undone: nothing there is known to be as it should.
+      if (reply.kind === 'error') this.#there.clear();
+      return;
+    }
+    this.#failures = 0;
+    const bringing = job.first.length > 0;
+    if (bringing && reply.kind === 'done' && !job.stopped) {
+      job.first.shift();
+      if (job.first.length === 0 && job.subject) this.#there.add(job.subject);
+      this.#sendPart(job);
+      return;
+    }
     if (reply.kind === 'done' && !job.stopped) {
       // The job stays the current one meanwhile: nothing may be sent before it is known whether it must be undone.
       try {
@@ -237,7 +263,7 @@ export class WorkerQueue {
     this.#current = undefined;
     clearTimeout(this.#grace);
     if (job.stopped) {
-      if (reply.kind === 'done') job.undo?.();
+      if (reply.kind === 'done' && !bringing && job.undo) this.#undo(job.undo());
       job.reject(job.stopped.error);
     } else if (reply.kind === 'done') {
       job.resolve(reply.value as never);
@@ -247,44 +273,53 @@ export class WorkerQueue {
     }
   }
 
+  /** Nobody waits for the answer: the worker takes one message after the other. */
+  #undo(request: Request): void {
+    try {
+      this.#send({ kind: 'request', id: this.#nextId++, request });
+    } catch {
+      this.#there.clear();
+    }
+  }
+
   // ---- The worker's life ----
 
   #start(): void {
     this.#ready = false;
+    this.#there.clear();
+    const { worker: make, module, warmUp } = this.#options;
     try {
-      const worker = this.#makeWorker();
+      const worker = make();
       const ifCurrent = (work: () => void) => worker === this.#worker && work();
       this.#worker = worker;
       worker.onmessage = ({ data }: { data: FromWorker }) => ifCurrent(() => this.#receive(data));
       worker.onerror = (event: { message?: string }) =>
         ifCurrent(() => this.#onDeath(event.message || 'it could not be loaded or ended'));
       worker.onmessageerror = () => ifCurrent(() => this.#onDeath('a message could not be read'));
+      module().then(
+        (compiled) => ifCurrent(() => this.#send({ kind: 'start', module: compiled, warmUp })),
+        (error) => ifCurrent(() => this.#onDeath(messageOf(error))),
+      );
     } catch (error) {
       queueMicrotask(() => this.#onDeath(messageOf(error)));
     }
   }
 
-  /** A fresh worker: bring it to where the last one was, then go on with the queue. */
   #onReady(): void {
     this.#ready = true;
     this.#started?.resolve();
     this.#started = undefined;
-    for (const [subject, requests] of this.#remembered()) if (!subject.lost) this.putFirst(subject, ...requests);
-    this.#sendNext();
-  }
-
-  /** Called when a worker has nothing left of the client's own to do: it is up again. */
-  #tellRestart(): void {
     const reason = this.#restartReason;
     this.#restartReason = undefined;
-    if (reason !== undefined) queueMicrotask(() => this.#onRestart(reason));
+    if (reason !== undefined) queueMicrotask(() => this.#options.onRestart(reason));
+    this.#sendNext();
   }
 
   #onDeath(why: string): void {
     if (this.#ended) return;
     const failure = () => new PolylapError('worker-failed', `the worker failed: ${why}`);
     // Whose fault is it? A user's request is not tried again; without one, the worker itself does not work.
-    if (!this.#current || this.#current.internal) this.#failures += 1;
+    if (!this.#current) this.#failures += 1;
     if (this.#failures >= startAttempts) this.#end(failure);
     else this.#restart(failure().message, failure());
   }
@@ -296,9 +331,8 @@ export class WorkerQueue {
     this.#restartReason ??= reason;
     const job = this.#current;
     this.#current = undefined;
-    this.#queue = this.#queue.filter(({ internal }) => !internal);
     this.#start();
-    if (job && !job.internal) job.reject(job.stopped ? job.stopped.error : error);
+    job?.reject(job.stopped ? job.stopped.error : error);
   }
 
   #end(error: () => PolylapError): void {
@@ -311,7 +345,7 @@ export class WorkerQueue {
     const jobs = this.#current ? [this.#current, ...this.#queue] : this.#queue;
     this.#current = undefined;
     this.#queue = [];
-    for (const job of jobs) if (!job.internal) job.reject(error());
+    for (const job of jobs) job.reject(error());
   }
 
   #dropWorker(): void {

@@ -38,6 +38,7 @@ export type Settings = Record<string, number | string | undefined>;
 export interface RawSession {
   info(): Reply<MeshInfo>;
   geometry(): Reply<Geometry>;
+  coordinates(): Reply<Float64Array>;
   surface(side: RawSide): Reply<Smoothed>;
   shape(side: RawSide): Reply<Shape>;
   file(side: RawSide, format: string): Reply<Uint8Array>;
@@ -66,6 +67,12 @@ export interface RawModule {
     mergeDistance: number,
     tick: Tick | undefined,
   ): Reply<RawSession>;
+  fromArrays(
+    coordinates: Float64Array,
+    offsets: Int32Array,
+    corners: Int32Array,
+    tick: Tick | undefined,
+  ): Reply<RawSession>;
   make(id: string, settings: Settings, noise: number, seed: number): Reply<RawSession>;
   convergence(
     id: string,
@@ -82,5 +89,9 @@ export interface RawModule {
 
 export type CreateModule = (options?: {
   wasmBinary?: ArrayBuffer | Uint8Array;
+  instantiateWasm?: (
+    imports: WebAssembly.Imports,
+    done: (instance: WebAssembly.Instance, module: WebAssembly.Module) => void,
+  ) => object;
   locateFile?: (path: string, directory: string) => string;
 }) => Promise<RawModule>;

@@ -16,12 +16,18 @@ const progressInterval = 30;
 /** How long nothing must have been asked before the solver is warmed up, in ms. */
 const idleBeforeWarmUp = 50;
 
-/** Loads the core, says so, and answers from then on. */
-export function serve(port: Port, load: () => Promise<Polylap>): void {
-  load().then(
-    (polylap) => new Server(port, polylap).start(),
-    (error) => fail(port, error),
-  );
+/** Loads the core when it is told to, says so, and answers from then on. */
+export function serve(
+  port: Port,
+  load: (options: { module?: WebAssembly.Module | undefined }) => Promise<Polylap>,
+): void {
+  port.onmessage = ({ data }) => {
+    if (data.kind !== 'start') return;
+    load({ module: data.module }).then(
+      (polylap) => new Server(port, polylap, data.warmUp).start(),
+      (error) => fail(port, error),
+    );
+  };
 }
 
 function fail(port: Port, error: unknown): void {
@@ -38,16 +44,16 @@ class Server {
   #cancelled = -1;
   #lastProgress = 0;
 
-  constructor(port: Port, polylap: Polylap) {
+  constructor(port: Port, polylap: Polylap, warmUp: boolean) {
     this.#port = port;
     this.#polylap = polylap;
-    this.#cold = polylap.operators().map(({ id }) => ({ id }) as OperatorSpec);
+    this.#cold = (warmUp ? polylap.operators() : []).map(({ id }) => ({ id }) as OperatorSpec);
   }
 
   start(): void {
     this.#port.onmessage = ({ data }) => {
       if (data.kind === 'cancel') this.#cancelled = data.id;
-      else void this.#handle(data.id, data.request);
+      else if (data.kind === 'request') void this.#handle(data.id, data.request);
     };
     this.#port.postMessage({ kind: 'ready' }, []);
     this.#warmUpWhenIdle();
@@ -78,10 +84,10 @@ class Server {
     switch (request.call) {
       case 'open':
         return this.#open(request.takes, onProgress);
+      case 'adopt':
+        return this.#adopt(request.takes, onProgress);
       case 'close':
-        this.#sessions.get(request.takes.mesh)?.close();
-        this.#sessions.delete(request.takes.mesh);
-        return undefined;
+        return this.#close(request.takes.mesh);
       case 'convergence':
         return this.#polylap.convergence(request.takes.spec, { onProgress });
       default:
@@ -92,7 +98,7 @@ class Server {
   #performOn(
     session: Session,
     id: number,
-    request: RequestOf<Exclude<CallName, 'open' | 'close' | 'convergence'>>,
+    request: RequestOf<Exclude<CallName, 'open' | 'adopt' | 'close' | 'convergence'>>,
     onProgress: (fraction: number) => undefined,
   ): Gives<CallName> | Promise<Smoothed> {
     const { call, takes } = request;
@@ -115,10 +121,7 @@ class Server {
       case 'file':
         return session.file(takes.format, options);
       case 'convert':
-        return this.#keep(takes.made, session.convert(takes.conversion, options), (converted) => ({
-          ...tellOf(converted),
-          file: converted.file('obj'),
-        }));
+        return this.#keep(takes.made, session.convert(takes.conversion, options));
       case 'reset':
         session.reset(takes.side);
         return undefined;
@@ -139,13 +142,23 @@ class Server {
       'bytes' in source
         ? this.#polylap.open(source.bytes, source.name, { ...source.options, onProgress })
         : this.#polylap.make(source.spec);
-    return this.#keep(mesh, session, tellOf);
+    return this.#keep(mesh, session);
+  }
+
+  #adopt({ mesh, arrays }: Takes<'adopt'>, onProgress: (fraction: number) => undefined): undefined {
+    this.#close(mesh);
+    this.#sessions.set(mesh, this.#polylap.fromArrays(arrays, { onProgress }));
+  }
+
+  #close(mesh: number): undefined {
+    this.#sessions.get(mesh)?.close();
+    this.#sessions.delete(mesh);
   }
 
   /** Keeps a new session once all that is to be told of it has been had. */
-  #keep<T>(mesh: number, session: Session, tell: (session: Session) => T): T {
+  #keep(mesh: number, session: Session): Opened {
     try {
-      const told = tell(session);
+      const told = { info: session.info(), geometry: session.geometry(), coordinates: session.coordinates() };
       this.#sessions.set(mesh, session);
       return told;
     } catch (error) {
@@ -204,8 +217,6 @@ class Server {
     }
   }
 }
-
-const tellOf = (session: Session): Opened => ({ info: session.info(), geometry: session.geometry() });
 
 /** Lets waiting messages in. A timer would cost 4 ms each time. */
 function turn(): Promise<void> {

@@ -28,6 +28,7 @@ import type {
   Geometry,
   Harmonic,
   Matrices,
+  MeshArrays,
   MeshFormat,
   MeshInfo,
   OpenOptions,
@@ -110,6 +111,18 @@ export class Polylap {
     return this.#own((tick) => this.#module.open(bytes, file, repair, mergeDistance, tick), given.onProgress);
   }
 
+  /** A mesh from arrays; they are copied. */
+  fromArrays(arrays: MeshArrays, options: Pick<SyncOptions, 'onProgress'> = {}): Session {
+    const { coordinates, offsets, corners } = fields(arrays, 'the arrays of a mesh');
+    const points = numbers(Float64Array, coordinates, 'coordinates', realNumber);
+    const [starts, vertices] = [
+      numbers(Int32Array, offsets, 'offsets', wholeNumber),
+      numbers(Int32Array, corners, 'corners', wholeNumber),
+    ];
+    const { onProgress } = optionsOf(options);
+    return this.#own((tick) => this.#module.fromArrays(points, starts, vertices, tick), onProgress);
+  }
+
   make(shape: ShapeSpec): Session {
     const { id, settings, noise, seed } = shapeParts(shape);
     return this.#own(() => this.#module.make(id, settings, noise, seed));
@@ -161,6 +174,11 @@ export class Session {
 
   geometry(): Geometry {
     return this.#call((raw) => raw.geometry());
+  }
+
+  /** 3V, of the loaded mesh, as they are. With the geometry's faces, `fromArrays` makes the same mesh of them. */
+  coordinates(): Float64Array {
+    return this.#call((raw) => raw.coordinates());
   }
 
   /** The side's surface as it stands. */

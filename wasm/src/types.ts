@@ -92,6 +92,16 @@ export interface MeshInfo {
   repairs: Repairs;
 }
 
+/** A mesh as plain arrays. */
+export interface MeshArrays {
+  /** 3V. */
+  coordinates: Float64Array;
+  /** F+1: face f has the corners from offsets[f] to offsets[f + 1]. */
+  offsets: Int32Array;
+  /** One vertex per corner. */
+  corners: Int32Array;
+}
+
 /** What a viewer needs once per mesh. */
 export interface Geometry {
   /** Centre of the bounding box: float positions are relative to it. */
@@ -321,7 +331,7 @@ export interface SmoothRunOptions extends RunOptions {
   onStep?: (smoothed: Smoothed) => void;
 }
 
-/** A mesh that lives in the worker. Methods run one after the other, in the order of the calls. */
+/** A mesh that lives in the workers, one for each side. Of a side, methods run one after the other, in the order of the calls. */
 export interface Mesh extends MeshInfo {
   readonly name: string;
   readonly geometry: Geometry;
@@ -353,7 +363,7 @@ export interface Client {
   make(shape: ShapeSpec, run?: Omit<RunOptions, 'side'>): Promise<Mesh>;
   /** A study on meshes of its own: does the operator converge under refinement? */
   convergence(spec: OperatorSpec, run?: Omit<RunOptions, 'side'>): Promise<ConvergenceStudy[]>;
-  /** Called when the worker died or was ended to cancel, and has been started again with all meshes as they were. */
-  onRestart?: (reason: string) => void;
+  /** Called when a side's worker died or was ended to cancel, and has been started again; all meshes are as they were. */
+  onRestart?: (reason: string, side: Side) => unknown;
   close(): void;
 }

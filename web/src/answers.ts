@@ -4,7 +4,7 @@ import { explain } from './messages.js';
 import type { ConvergenceStudy, Dual, Mesh, OperatorSpec, Side } from './polylap.js';
 import { known, type SideResults } from './results.js';
 import { type Choice, operatorOf, sides, type VertexWeights } from './state.js';
-import { isCancelled, type Run } from './work.js';
+import { isCancelled, type Run, Unwanted } from './work.js';
 
 const names = {
   weights: 'weights',
@@ -12,26 +12,43 @@ const names = {
   matrices: 'matrix',
   check: 'properties',
   dual: 'orthogonal dual',
+  shape: 'area and volume',
+  study: 'convergence',
 };
-type Kind = keyof typeof names;
+type Kind = Exclude<keyof typeof names, 'shape' | 'study'>;
+const kinds: readonly Kind[] = ['weights', 'harmonic', 'matrices', 'check', 'dual'];
+
+const labelOf = (side: Side, what: keyof typeof names) => `${side.toUpperCase()}: ${names[what]}`;
 
 /** Rows of S are read from the whole matrix; beyond this that is too much to copy for each touch of a slider. */
 export const rowLimit = 20_000;
 
-/** Asks the core about both surfaces: what is on screen, the newest question first. */
+/** What an answer depends on. */
+interface Question {
+  /** Each surface has its own. */
+  surface: Float32Array;
+  about: string;
+}
+
+const same = (one: Question | undefined, other: Question) =>
+  one?.surface === other.surface && one.about === other.about;
+
+/** Asks the core about both surfaces: what is on screen, the newest question first, and none twice. */
 export class Answers {
   private readonly refreshers: Record<Side, Record<Kind, (mesh: Mesh) => void>>;
-  /** What the measurements on screen were asked about: they take long, and are not asked for twice. */
-  private readonly checked: Partial<Record<Side, string>> = {};
+  /** What was asked last, and to what the answers on screen are answers. */
+  private readonly asked: Record<Side, Partial<Record<Kind, Question>>> = { a: {}, b: {} };
+  private readonly answered: Record<Side, Partial<Record<Kind, Question>>> = { a: {}, b: {} };
   private dual: { mesh: Mesh; about: string; answer: Promise<Dual> } | null = null;
 
   constructor(private readonly app: App) {
-    const refresher = (side: Side, kind: Kind) => latest((mesh: Mesh) => this.refresh(mesh, side, kind));
+    const refresher = (side: Side, kind: Kind) =>
+      latest(
+        (mesh: Mesh) => this.refresh(mesh, side, kind),
+        () => same(this.asked[side][kind], this.question(side, kind)) || app.work.supersede(labelOf(side, kind)),
+      );
     const ofSide = (side: Side) =>
-      Object.fromEntries(Object.keys(names).map((kind) => [kind, refresher(side, kind as Kind)])) as Record<
-        Kind,
-        (mesh: Mesh) => void
-      >;
+      Object.fromEntries(kinds.map((kind) => [kind, refresher(side, kind)])) as Record<Kind, (mesh: Mesh) => void>;
     this.refreshers = { a: ofSide('a'), b: ofSide('b') };
   }
 
@@ -74,7 +91,7 @@ export class Answers {
   async measure(mesh: Mesh, side: Side): Promise<void> {
     const { app } = this;
     try {
-      const shape = await app.work.run(`${side.toUpperCase()}: area and volume`, (run) => mesh.shape({ side, ...run }));
+      const shape = await app.work.run(labelOf(side, 'shape'), (run) => mesh.shape({ side, ...run }), side);
       if (app.results.get().mesh === mesh) app.smoothing.loadedArea = shape.area;
       app.patch(mesh, side, { shape });
     } catch (reason) {
@@ -92,44 +109,57 @@ export class Answers {
     }
   }
 
-  /** Whether the operators converge, on meshes of the study's own; one after the other. */
+  /** Whether the operators converge, on meshes of the study's own. */
   async study(): Promise<void> {
     const { app } = this;
     const client = await app.client;
-    for (const side of sides) {
+    const studyOf = async (side: Side) => {
       const choice = app.state.get().sides[side];
       let study: readonly ConvergenceStudy[] | string;
       try {
-        study = await app.work.run(`${side.toUpperCase()}: convergence`, (run) =>
-          client.convergence(specOf(choice), run),
-        );
+        study = await app.work.run(labelOf(side, 'study'), (run) => client.convergence(specOf(choice), run));
       } catch (reason) {
         study = isCancelled(reason) ? 'Cancelled.' : explain(reason);
       }
-      if (app.state.get().sides[side] !== choice) continue;
-      app.results.set({ [side]: { ...app.results.get()[side], study } });
-      if (study === 'Cancelled.') return;
-    }
+      if (app.state.get().sides[side] === choice) app.results.set({ [side]: { ...app.results.get()[side], study } });
+    };
+    await Promise.all(sides.map(studyOf));
   }
 
   private async refresh(mesh: Mesh, side: Side, kind: Kind): Promise<void> {
     const { app } = this;
-    if (app.results.get().mesh !== mesh || app.meshes.awaited > 0) return;
+    if (app.results.get().mesh !== mesh || app.meshes.awaited > 0 || this.isAnswered(side, kind)) return;
+    const question = this.question(side, kind);
+    this.asked[side][kind] = question;
     try {
-      const patch = await app.work.run(`${side.toUpperCase()}: ${names[kind]}`, (run) =>
-        this.ask(kind, mesh, side, run),
-      );
-      if (patch) app.patch(mesh, side, patch);
+      const patch = await app.work.run(labelOf(side, kind), (run) => this.ask(kind, mesh, side, run), side);
+      if (!patch) return;
+      this.answered[side][kind] = question;
+      app.patch(mesh, side, patch);
     } catch (reason) {
+      if (reason instanceof Unwanted) return;
       if (app.results.get().mesh !== mesh || (isCancelled(reason) && app.meshes.awaited > 0)) return;
       app.patch(mesh, side, { [kind]: isCancelled(reason) ? 'Cancelled.' : explain(reason) });
       if (isCancelled(reason)) app.say('Cancelled; the mesh is as it was.');
     }
   }
 
+  private question(side: Side, kind: Kind): Question {
+    const { state, results } = this.app;
+    const { sides: choices, vertexWeights, harmonic, dual } = state.get();
+    const operator = [choices[side], vertexWeights[side]];
+    const about = kind === 'dual' ? dual.mu : kind === 'harmonic' ? [operator, harmonic.pins] : operator;
+    return { surface: results.get()[side].positions, about: JSON.stringify(about) };
+  }
+
+  private isAnswered(side: Side, kind: Kind): boolean {
+    const there = known(this.app.results.get()[side][kind]) !== null;
+    return there && same(this.answered[side][kind], this.question(side, kind));
+  }
+
   /** @returns null when there is nothing new to say */
   private async ask(kind: Kind, mesh: Mesh, side: Side, work: Run): Promise<Partial<SideResults> | null> {
-    const { state, results } = this.app;
+    const { state } = this.app;
     const run = { side, ...work };
     const { sides: choices, vertexWeights, harmonic } = state.get();
     const spec = specOf(choices[side], vertexWeights[side], mesh.vertices);
@@ -145,13 +175,8 @@ export class Answers {
         const answer = await mesh.harmonic(spec, fixed, run);
         return state.get().harmonic.pins.length > 0 ? { harmonic: answer } : null;
       }
-      case 'check': {
-        const own = results.get()[side];
-        const about = JSON.stringify([choices[side], vertexWeights[side], own.step]);
-        if (known(own.check) && this.checked[side] === about) return null;
-        this.checked[side] = about;
+      case 'check':
         return { check: await mesh.check(spec, run) };
-      }
       case 'dual':
         return { dual: await this.dualOf(mesh, side, run) };
     }

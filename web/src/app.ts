@@ -21,7 +21,9 @@ export class App {
   constructor(readonly client: Promise<Client>) {
     void client.then(
       (ready) => {
+        // What was cancelled is told of by whoever asked for it.
         ready.onRestart = (reason) =>
+          reason === 'cancelled' ||
           this.say(`The worker was started again: ${reason.replace(/\.$/, '')}. The mesh is as it was.`);
       },
       // Told by the first mesh that cannot be made.

@@ -1,5 +1,8 @@
-/** Runs one call at a time; of the arguments that arrive meanwhile only the newest is kept. */
-export function latest<A>(run: (argument: A) => Promise<void>): (argument: A) => void {
+/**
+ * Runs one call at a time; of the arguments that arrive meanwhile only the newest is kept.
+ * @param onNewer called when one arrives while another is under way
+ */
+export function latest<A>(run: (argument: A) => Promise<void>, onNewer: () => void = () => {}): (argument: A) => void {
   let running = false;
   let waiting: { argument: A } | undefined;
   const start = async (first: A): Promise<void> => {
@@ -13,7 +16,9 @@ export function latest<A>(run: (argument: A) => Promise<void>): (argument: A) =>
     running = false;
   };
   return (argument) => {
-    if (running) waiting = { argument };
-    else void start(argument);
+    if (running) {
+      waiting = { argument };
+      onNewer();
+    } else void start(argument);
   };
 }

@@ -44,7 +44,7 @@ export class Meshes {
     const { source } = this.app.state.get();
     const spec = { conversion: change.id, ...change.parameters } as ConversionSpec;
     return this.take({ ...source, changes: [...(source.changes ?? []), change] }, () =>
-      this.app.work.run('Making another mesh', (run) => mesh.convert(spec, { side, ...run })),
+      this.app.work.run('Making another mesh', (run) => mesh.convert(spec, { side, ...run }), side),
     );
   }
 
@@ -114,7 +114,7 @@ export class Meshes {
     app.smoothing.pause();
     this.awaited++;
     // The new mesh does not wait for answers about the old one.
-    app.work.cancelWaiting();
+    app.work.makeWay();
     let mesh: Mesh;
     try {
       mesh = await make();

@@ -45,9 +45,8 @@ export class Smoothing {
     const settled = await Promise.allSettled(
       moving.map((side) => {
         const spec = specOf(choices[side], vertexWeights[side], mesh.vertices);
-        return app.work.run(`${side.toUpperCase()}: step ${behind + 1}`, (run) =>
-          mesh.smooth(spec, options, { side, ...run }),
-        );
+        const label = `${side.toUpperCase()}: step ${behind + 1}`;
+        return app.work.run(label, (run) => mesh.smooth(spec, options, { side, ...run }), side);
       }),
     );
     if (app.results.get().mesh !== mesh) return;

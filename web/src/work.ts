@@ -1,9 +1,13 @@
+import type { Side } from './polylap.js';
 import type { Busy } from './results.js';
 
 interface Job {
   label: string;
+  side: Side | null;
   controller: AbortController;
   fraction: number | null;
+  started: number;
+  unwanted: boolean;
 }
 
 export interface Run {
@@ -13,8 +17,10 @@ export interface Run {
 
 /** Work shorter than this is not announced. */
 const patience = 150;
+/** What has begun is worth stopping only if it would go on for longer: its worker may have to be started again, and has to be told the mesh. */
+const worthStopping = 1500;
 
-/** Everything the worker is doing for the page: announced when it takes long, cancelled together. */
+/** Everything the workers are doing for the page: announced when it takes long, cancelled together. */
 export class Work {
   private readonly jobs = new Set<Job>();
   private timer: ReturnType<typeof setTimeout> | undefined;
@@ -22,8 +28,16 @@ export class Work {
 
   constructor(private readonly announce: (busy: Busy | null) => void) {}
 
-  async run<T>(label: string, job: (run: Run) => Promise<T>): Promise<T> {
-    const entry: Job = { label, controller: new AbortController(), fraction: null };
+  /** @param side whose worker does it, where it is known */
+  async run<T>(label: string, job: (run: Run) => Promise<T>, side: Side | null = null): Promise<T> {
+    const entry: Job = {
+      label,
+      side,
+      controller: new AbortController(),
+      fraction: null,
+      started: performance.now(),
+      unwanted: false,
+    };
     this.jobs.add(entry);
     this.timer ??= setTimeout(() => {
       this.announced = true;
@@ -35,6 +49,8 @@ export class Work {
     };
     try {
       return await job({ signal: entry.controller.signal, onProgress });
+    } catch (reason) {
+      throw entry.unwanted && isCancelled(reason) ? new Unwanted() : reason;
     } finally {
       this.jobs.delete(entry);
       if (this.announced || this.jobs.size === 0) this.tell();
@@ -49,9 +65,23 @@ export class Work {
     for (const job of this.jobs) job.controller.abort();
   }
 
-  /** Cancels what the worker has not begun: it takes one request after the other. */
-  cancelWaiting(): void {
-    for (const job of [...this.jobs].slice(1)) job.controller.abort();
+  /** Nobody waits for what is under way any more. */
+  makeWay(): void {
+    for (const job of [...this.jobs]) this.drop(job);
+  }
+
+  /** Somebody waits for a newer answer of that label. */
+  supersede(label: string): void {
+    for (const job of [...this.jobs]) if (job.label === label) this.drop(job);
+  }
+
+  /** A worker takes one request after the other: what is not the first of its side has not begun, and costs nothing to leave. */
+  private drop(job: Job): void {
+    if (!this.jobs.has(job)) return;
+    job.unwanted = true;
+    const [first] = [...this.jobs].filter(({ side }) => side === job.side);
+    if (job !== first || remaining(job) > worthStopping) job.controller.abort();
+    else setTimeout(() => this.drop(job), worthStopping / 3);
   }
 
   private tell(): void {
@@ -65,6 +95,17 @@ export class Work {
     this.announced = false;
     this.announce(null);
   }
+}
+
+/** In ms: at the pace so far, or as long again. */
+function remaining({ started, fraction }: Job): number {
+  const passed = performance.now() - started;
+  return fraction ? (passed * (1 - fraction)) / fraction : passed;
+}
+
+/** What was cancelled for the sake of something newer: not worth a word. */
+export class Unwanted extends Error {
+  override readonly name = 'AbortError';
 }
 
 export function isCancelled(reason: unknown): boolean {
