@@ -47,8 +47,10 @@ Times timed(int repeats, Work&& work) {
         const double start = now();
         work();
         const double took = now() - start;
-        if (k == 0) times.first = took;
-        else times.again = std::min(times.again, took);
+        if (k == 0)
+            times.first = took;
+        else
+            times.again = std::min(times.again, took);
     }
     return times;
 }
@@ -97,7 +99,8 @@ std::string measure(int nu, int nv, int repeats, bool peer) {
 
     SpdFactor factor;
     bool good = true;
-    report.add("analysis", timed(std::min(repeats, 1), [&] { good = good && factor.analyse(system, mesh->positions()); }));
+    report.add("analysis",
+               timed(std::min(repeats, 1), [&] { good = good && factor.analyse(system, mesh->positions()); }));
     report.add("factor", timed(repeats, [&] { good = good && factor.factor(system); }));
     Result<Matrix> solution = Matrix();
     report.add("solve", timed(repeats, [&] { solution = factor.solve(rhs); }));
