@@ -26,14 +26,16 @@ std::optional<Result<Vector>> HarmonicProblem::solve_pinned(std::span<const Inde
                                                             const Eigen::Ref<const Vector>& values,
                                                             const Points& positions, KnownAnalyses& analyses,
                                                             Monitor monitor) {
-    if (!grounds_ || !PinnedProblem::holds(pins.size(), matrices_->stiffness.rows())) return std::nullopt;
+    if (!grounds_) return std::nullopt;
     if (!pinned_) {
+        if (!PinnedProblem::may_pay(pins.size(), matrices_->stiffness.rows())) return std::nullopt;
         Stretch analysing{monitor, 0, 0.2};
         auto created = PinnedProblem::create(matrices_->stiffness, positions, analyses.kept(), analysing.monitor());
         if (!created) return created.error();
         pinned_ = *std::move(created);
         analyses.keep(pinned_->analysis());
     }
+    if (!pinned_->pays(pins)) return std::nullopt;
     eliminated_.reset();
     Stretch solving{monitor, 0.2, 1};
     auto u = pinned_->solve(pins, values, solving.monitor());

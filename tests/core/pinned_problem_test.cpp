@@ -255,10 +255,28 @@ TEST(PinnedProblem, SharesTheAnalysisOfOtherFactors) {
     EXPECT_NE(get(PinnedProblem::create(s, mesh.positions(), std::span(known).first(2))).analysis(), other);
 }
 
-TEST(PinnedProblem, HoldsWhatItSays) {
-    EXPECT_TRUE(PinnedProblem::holds(16, 1 << 20));
-    EXPECT_FALSE(PinnedProblem::holds(17, 1 << 20));
-    EXPECT_FALSE(PinnedProblem::holds(std::size_t{1} << 40, std::numeric_limits<Index>::max()));
+// A few pins pay, half of the vertices do not; what is known already costs nothing.
+TEST(PinnedProblem, PaysForFewNewPins) {
+    const auto torus = specimen("quad-torus-32x16");
+    auto problem = get(PinnedProblem::create(stiffness(torus), torus.positions()));
+    std::vector<Index> pins(256);
+    std::iota(pins.begin(), pins.end(), 100);
+    const std::span<const Index> all(pins);
+    EXPECT_TRUE(problem.pays(all.first(2)));
+    EXPECT_TRUE(problem.pays(all.first(40)));
+    EXPECT_FALSE(problem.pays(all));
+    EXPECT_FALSE(problem.pays(all.first(120)));
+    get(problem.solve(all.first(120), Vector::Zero(120)));
+    EXPECT_TRUE(problem.pays(all.first(120)));
+    EXPECT_TRUE(problem.pays(all.subspan(110, 30)));
+    get(problem.solve(all.subspan(110, 30), Vector::Zero(30)));
+    EXPECT_TRUE(problem.pays(all.first(120))) << "potentials of pins that went are kept";
+
+    EXPECT_TRUE(PinnedProblem::may_pay(16, 1 << 20));
+    EXPECT_FALSE(PinnedProblem::may_pay(17, 1 << 20)) << "of memory";
+    EXPECT_TRUE(PinnedProblem::may_pay(40, 512));
+    EXPECT_FALSE(PinnedProblem::may_pay(256, 512)) << "of time";
+    EXPECT_FALSE(PinnedProblem::may_pay(std::size_t{1} << 40, std::numeric_limits<Index>::max()));
 }
 
 }  // namespace

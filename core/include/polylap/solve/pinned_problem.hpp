@@ -33,10 +33,15 @@ public:
     /// Fits S wherever S stores its whole diagonal.
     const std::shared_ptr<const SpdAnalysis>& analysis() const noexcept { return factor_.analysis(); }
 
-    /// Potentials of no pin of the last solve leave where more than this many bytes would be kept.
+    /// Beyond this, only potentials that the last solve needed are kept.
     static constexpr std::int64_t most_bytes = std::int64_t{128} << 20;
-    /// Whether that many pins keep within most_bytes.
-    static bool holds(std::size_t pins, Eigen::Index vertices) noexcept;
+    /// Whether that many pins may pay where nothing is known yet: their potentials keep within most_bytes, and are not
+    /// so many that eliminating takes less time on any mesh.
+    static bool may_pay(std::size_t pins, Eigen::Index vertices) noexcept;
+    /// Whether the potentials of these pins keep within most_bytes, and those not known yet take less time than
+    /// eliminating the pins. Where nothing is factored yet, both begin with a factorisation: what is chosen takes at
+    /// most twice the time of the better choice, and the next pins have the factor.
+    bool pays(std::span<const Index> pins) const;
 
     /// @param pins distinct vertices   @param values one per pin, finite
     /// @return V values. A vertex that is in no equation and no pin gets NaN.
@@ -57,6 +62,7 @@ private:
     Status choose(std::span<const Index> pins, Monitor monitor);
     Status fetch_potentials(std::span<const Index> pins, Monitor monitor);
     Status reduce();
+    std::vector<Potential>::const_iterator find(Index vertex) const;
 
     SparseMatrix grounded_;           ///< S_g, until it is factored.
     std::vector<Index> part_;         ///< Per vertex; -1: in no equation.
