@@ -46,37 +46,45 @@ struct Parts {
 Parts find_parts(const SparseMatrix& s) {
     Parts parts;
     const auto n = static_cast<Index>(s.cols());
-    parts.part.assign(static_cast<std::size_t>(n), -1);
-    std::vector<Index> stack;
-    for (Index seed = 0; seed < n; ++seed) {
-        if (parts.part[static_cast<std::size_t>(seed)] >= 0) continue;
-        const auto id = static_cast<Index>(parts.lowest.size());
-        bool in_use = false;
-        Index ground = seed;
-        double largest = 0;
-        stack.assign(1, seed);
-        parts.part[static_cast<std::size_t>(seed)] = id;
-        while (!stack.empty()) {
-            const Index v = stack.back();
-            stack.pop_back();
-            for (SparseMatrix::InnerIterator it(s, v); it; ++it) {
-                if (it.value() == 0) continue;
-                in_use = true;
-                const Index w = it.index();
-                if (w == v && (it.value() > largest || (it.value() == largest && v < ground))) {
-                    largest = it.value();
-                    ground = v;
-                }
-                if (parts.part[static_cast<std::size_t>(w)] >= 0) continue;
-                parts.part[static_cast<std::size_t>(w)] = id;
-                stack.push_back(w);
+    // Towards the lowest vertex of what is known to be connected; -1: in no entry.
+    std::vector<Index>& lower = parts.part;
+    lower.assign(static_cast<std::size_t>(n), -1);
+    const auto lowest = [&](Index v) {
+        while (lower[static_cast<std::size_t>(v)] != v) {
+            Index& next = lower[static_cast<std::size_t>(v)];
+            next = lower[static_cast<std::size_t>(next)];
+            v = next;
+        }
+        return v;
+    };
+    Vector diagonal = Vector::Zero(n);
+    for (Index v = 0; v < n; ++v) {
+        for (SparseMatrix::InnerIterator it(s, v); it && it.index() <= v; ++it) {
+            if (it.value() == 0) continue;
+            const Index w = it.index();
+            for (const Index end : {v, w}) {
+                if (lower[static_cast<std::size_t>(end)] < 0) lower[static_cast<std::size_t>(end)] = end;
+            }
+            if (w == v) {
+                diagonal[v] = it.value();
+            } else {
+                const Index a = lowest(v);
+                const Index b = lowest(w);
+                lower[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
             }
         }
-        if (in_use) {
-            parts.lowest.push_back(seed);
-            parts.ground.push_back(ground);
+    }
+    for (Index v = 0; v < n; ++v) {  // what a vertex points to has its part's number by now
+        Index& part = lower[static_cast<std::size_t>(v)];
+        if (part < 0) continue;
+        if (part == v) {
+            part = static_cast<Index>(parts.lowest.size());
+            parts.lowest.push_back(v);
+            parts.ground.push_back(v);
         } else {
-            parts.part[static_cast<std::size_t>(seed)] = -1;
+            part = lower[static_cast<std::size_t>(part)];
+            Index& ground = parts.ground[static_cast<std::size_t>(part)];
+            if (diagonal[v] > diagonal[ground]) ground = v;
         }
     }
     return parts;
@@ -127,15 +135,15 @@ Result<PinnedProblem> PinnedProblem::create(const SparseMatrix& stiffness, const
     return guard_memory([&]() -> Result<PinnedProblem> {
         PinnedProblem problem;
         Parts parts = find_parts(stiffness);
-        problem.grounded_ = ground(stiffness, parts);
+        problem.grounded_ = std::make_unique<const SparseMatrix>(ground(stiffness, parts));
         problem.part_ = std::move(parts.part);
         problem.part_lowest_ = std::move(parts.lowest);
         const auto fitting = std::find_if(known.begin(), known.end(), [&](const auto& analysis) {
-            return analysis != nullptr && analysis->fits(problem.grounded_);
+            return analysis != nullptr && analysis->fits(*problem.grounded_);
         });
         if (fitting != known.end()) {
             problem.factor_.use(*fitting);
-        } else if (Status status = problem.factor_.analyse(problem.grounded_, positions, monitor); !status) {
+        } else if (Status status = problem.factor_.analyse(*problem.grounded_, positions, monitor); !status) {
             return status.error();
         }
         return problem;
@@ -237,9 +245,9 @@ Status PinnedProblem::choose(std::span<const Index> pins, Monitor monitor) {
         if (anchor[part] < 0) return unconstrained_part(part_lowest_[part]);
     }
     Stretch factoring{monitor, 0, 0.7};
-    if (grounded_.rows() > 0) {
-        if (Status status = factor_.factor(grounded_, factoring.monitor()); !status) return status;
-        grounded_ = SparseMatrix();
+    if (grounded_) {
+        if (Status status = factor_.factor(*grounded_, factoring.monitor()); !status) return status;
+        grounded_.reset();
     }
     chosen_ = false;
     Stretch solving{monitor, 0.7, 1};

@@ -64,9 +64,9 @@ private:
     Status reduce();
     std::vector<Potential>::const_iterator find(Index vertex) const;
 
-    SparseMatrix grounded_;           ///< S_g, until it is factored.
-    std::vector<Index> part_;         ///< Per vertex; -1: in no equation.
-    std::vector<Index> part_lowest_;  ///< Per part, its lowest vertex.
+    std::unique_ptr<const SparseMatrix> grounded_;  ///< S_g, until it is factored. Eigen copies what it should move.
+    std::vector<Index> part_;                       ///< Per vertex; -1: in no equation.
+    std::vector<Index> part_lowest_;                ///< Per part, its lowest vertex.
     SpdFactor factor_;
 
     std::vector<Potential> potentials_;  ///< Those of pins_ first and in that order, then what was used before.
