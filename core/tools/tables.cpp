@@ -25,6 +25,7 @@ std::string matrix_market(const SparseMatrix& matrix, bool symmetric, std::strin
     for (Index column = 0; column < matrix.outerSize(); ++column) {
         for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry) {
             if (symmetric && entry.row() < column) continue;
+            if (entry.value() == 0 && entry.row() != column) continue;  // vertices that only share a face
             append_index(entries, std::int64_t{entry.row()} + 1);
             entries += ' ';
             append_index(entries, std::int64_t{column} + 1);

@@ -29,7 +29,8 @@ Result<Points> points_of(const val& coordinates) {
 }
 
 val sparse(SparseMatrix matrix) {
-    matrix.makeCompressed();
+    // A zero off the diagonal is no coupling: its vertices only share a face.
+    matrix.prune([](Eigen::Index row, Eigen::Index column, double value) { return row == column || value != 0; });
     const auto entries = static_cast<std::size_t>(matrix.nonZeros());
     return object(entry("rows", static_cast<double>(matrix.rows())), entry("cols", static_cast<double>(matrix.cols())),
                   entry("colStarts", array(matrix.outerIndexPtr(), static_cast<std::size_t>(matrix.outerSize()) + 1)),

@@ -5,6 +5,7 @@
 #include <queue>
 #include <span>
 
+#include "face/quad_cut.hpp"
 #include "face/triangulation_rules.hpp"
 
 namespace polylap {
@@ -14,51 +15,13 @@ Error too_thin() {
     return {ErrorCode::degenerate_face, "its projection is too thin to triangulate"};
 }
 
-/// Sine of the angle a–o–b times the lengths, and its cosine times the lengths.
-struct Angle {
-    double sine, cosine;
-    Angle(const PlanePolygon& p, Index a, Index o, Index b) {
-        const Eigen::Vector2d u = p[a] - p[o];
-        const Eigen::Vector2d v = p[b] - p[o];
-        sine = u.x() * v.y() - u.y() * v.x();
-        cosine = u.dot(v);
-    }
-};
-
-/// What the angles at c and d, opposite the edge a–b, add to: more than π, π, or less.
-enum class AngleSum : std::uint8_t { more, tie, less };
-
-/// A tie: moving each corner by the tie distance can turn the sum to either side of π; the four then lie on a circle.
-AngleSum angle_sum(const PlanePolygon& p, Index a, Index b, Index c, Index d) {
-    const Angle at_c(p, a, c, b);
-    const Angle at_d(p, b, d, a);
-    const double ac = (p[a] - p[c]).norm();
-    const double bc = (p[b] - p[c]).norm();
-    const double ad = (p[a] - p[d]).norm();
-    const double bd = (p[b] - p[d]).norm();
-    const double scale = ac * bc * ad * bd;
-    const double sine = (at_c.sine * at_d.cosine + at_c.cosine * at_d.sine) / scale;
-    const double cosine = (at_c.cosine * at_d.cosine - at_c.sine * at_d.sine) / scale;
-    const double tolerance = p.tie_distance() * (1 / ac + 1 / bc + 1 / ad + 1 / bd);
-    if (std::abs(sine) <= tolerance && cosine < 0) return AngleSum::tie;
-    return sine < 0 ? AngleSum::more : AngleSum::less;
-}
-
-/// Edge a → b with c on its left and d on its right is not locally Delaunay: cot(c) + cot(d) < 0.
-bool should_flip(const PlanePolygon& p, Index a, Index b, Index c, Index d) {
-    return angle_sum(p, a, b, c, d) == AngleSum::more && p.side(c, a, d) > 0 && p.side(d, b, c) > 0;
-}
-
 /// The Delaunay cut of a quad, without the machinery. In a tie, from corner 0.
 Status cut_quad(const PlanePolygon& p, std::vector<Triangle>& out) {
     const bool cut02 = p.side(0, 1, 2) > 0 && p.side(0, 2, 3) > 0;
     const bool cut13 = p.side(0, 1, 3) > 0 && p.side(1, 2, 3) > 0;
     if (!cut02 && !cut13) return too_thin();
-    if (cut02 && !(cut13 && should_flip(p, 0, 2, 3, 1))) {
-        out.assign({{0, 1, 2}, {0, 2, 3}});
-    } else {
-        out.assign({{0, 1, 3}, {1, 2, 3}});
-    }
+    const QuadTriangles& cut = cut02 && !(cut13 && should_flip(p, 0, 2, 3, 1)) ? cut_at_02 : cut_at_13;
+    out.assign(cut.begin(), cut.end());
     return Done{};
 }
 

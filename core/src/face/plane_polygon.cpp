@@ -1,55 +1,6 @@
 #include "face/plane_polygon.hpp"
 
-#include <limits>
-
 namespace polylap {
-namespace {
-
-/// Coordinates carry rounding errors of a few units in the last place of the diameter.
-constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
-
-double cross(const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
-    return u.x() * v.y() - u.y() * v.x();
-}
-
-}  // namespace
-
-PlanePolygon::PlanePolygon(std::span<const Eigen::Vector2d> points) : points_(points) {
-    Eigen::Vector2d low = points.front();
-    Eigen::Vector2d high = low;
-    for (const auto& p : points) {
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-    }
-    diameter_ = (high - low).norm();
-}
-
-int PlanePolygon::side(Index a, Index b, Index c) const {
-    const Eigen::Vector2d u = (*this)[b] - (*this)[a];
-    const Eigen::Vector2d v = (*this)[c] - (*this)[a];
-    return side_of_noise(cross(u, v), u.lpNorm<1>() + v.lpNorm<1>());
-}
-
-int PlanePolygon::side_of_noise(double area, double lengths) const {
-    const double noise = rounding * diameter_ * lengths;
-    return area > noise ? 1 : (area < -noise ? -1 : 0);
-}
-
-double PlanePolygon::tie_distance() const noexcept {
-    return 0x1p-42 * diameter_;
-}
-
-bool PlanePolygon::strictly_convex() const {
-    Index turns = 0;  // how often the direction of the edges passes that of the x axis
-    for (Index i = 0; i < size(); ++i) {
-        if (side(previous(i), i, next(i)) <= 0) return false;
-        const double before = (*this)[i].y() - (*this)[previous(i)].y();
-        const double after = (*this)[next(i)].y() - (*this)[i].y();
-        if (before < 0 && after >= 0) ++turns;
-    }
-    return turns == 1;
-}
-
 /// c, known to lie on the line a–b, lies on the closed segment.
 bool PlanePolygon::within(Index a, Index b, Index c) const {
     return ((*this)[c] - (*this)[a]).dot((*this)[c] - (*this)[b]) <= 0;

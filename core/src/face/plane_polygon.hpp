@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 
 #include <Eigen/Core>
@@ -7,6 +8,10 @@
 #include "polylap/base/types.hpp"
 
 namespace polylap {
+
+inline double cross(const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
+    return u.x() * v.y() - u.y() * v.x();
+}
 
 /// A polygon in the plane with the predicates that its triangulations share. Corner numbers are local, from 0.
 class PlanePolygon {
@@ -36,6 +41,9 @@ public:
     bool inside_diagonal(Index i, Index j) const;
 
 private:
+    /// Coordinates carry rounding errors of a few units in the last place of the diameter.
+    static constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+
     int side_of_noise(double area, double lengths) const;
     bool touch(Index i, Index j) const;
     bool within(Index a, Index b, Index c) const;
@@ -43,5 +51,43 @@ private:
     std::span<const Eigen::Vector2d> points_;
     double diameter_;  ///< Of the bounding box: the scale of rounding errors.
 };
+
+// What small faces spend their time in is inline.
+
+inline PlanePolygon::PlanePolygon(std::span<const Eigen::Vector2d> points) : points_(points) {
+    Eigen::Vector2d low = points.front();
+    Eigen::Vector2d high = low;
+    for (const auto& p : points) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+    }
+    diameter_ = (high - low).norm();
+}
+
+inline int PlanePolygon::side(Index a, Index b, Index c) const {
+    const Eigen::Vector2d u = (*this)[b] - (*this)[a];
+    const Eigen::Vector2d v = (*this)[c] - (*this)[a];
+    return side_of_noise(cross(u, v), u.lpNorm<1>() + v.lpNorm<1>());
+}
+
+inline int PlanePolygon::side_of_noise(double area, double lengths) const {
+    const double noise = rounding * diameter_ * lengths;
+    return area > noise ? 1 : (area < -noise ? -1 : 0);
+}
+
+inline double PlanePolygon::tie_distance() const noexcept {
+    return 0x1p-42 * diameter_;
+}
+
+inline bool PlanePolygon::strictly_convex() const {
+    Index turns = 0;  // how often the direction of the edges passes that of the x axis
+    for (Index i = 0; i < size(); ++i) {
+        if (side(previous(i), i, next(i)) <= 0) return false;
+        const double before = (*this)[i].y() - (*this)[previous(i)].y();
+        const double after = (*this)[next(i)].y() - (*this)[i].y();
+        turns += static_cast<Index>(before < 0) & static_cast<Index>(after >= 0);  // no jump: nobody can predict it
+    }
+    return turns == 1;
+}
 
 }  // namespace polylap

@@ -1,38 +1,24 @@
 #include "polylap/face/vector_area.hpp"
 
-#include <Eigen/Geometry>
+#include "face/projection.hpp"
 
 namespace polylap {
 
 Vector3 vector_area(Corners corners) {
-    // A fan from the first corner: differences cancel the position of the face in space.
-    Vector3 twice = Vector3::Zero();
-    for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
-        twice += (corners[k] - corners[0]).cross(corners[k + 1] - corners[0]);
-    }
-    return 0.5 * twice;
+    return vector_area_of(corners);
 }
 
 bool has_zero_area(Corners corners, const Vector3& area) {
-    double perimeter = 0;
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-        perimeter += (corners[k + 1 < corners.size() ? k + 1 : 0] - corners[k]).norm();
-    }
-    return area.stableNorm() <= zero_area_ratio * perimeter * perimeter;
+    return is_zero_area(corners, safe_norm(area));
 }
 
 bool project_maximally(Corners corners, Projection& out) {
     const Vector3 a = vector_area(corners);
-    if (has_zero_area(corners, a)) return false;
-    out.area = a.stableNorm();
+    out.area = safe_norm(a);
+    if (is_zero_area(corners, out.area)) return false;
     out.normal = a / out.area;
-    const Vector3 axis1 = out.normal.unitOrthogonal();
-    const Vector3 axis2 = out.normal.cross(axis1);
-    out.points.clear();
-    for (const Vector3& x : corners) {
-        const Vector3 d = x - corners[0];
-        out.points.emplace_back(axis1.dot(d), axis2.dot(d));
-    }
+    out.points.resize(corners.size());
+    project_along(corners, out.normal, out.points);
     return true;
 }
 

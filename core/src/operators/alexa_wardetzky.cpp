@@ -4,25 +4,26 @@
 #include <cmath>
 
 #include "operators/edge_gradient.hpp"
-#include "polylap/operators/mass.hpp"
 
 namespace polylap {
 
-Result<SparseMatrix> alexa_wardetzky_stiffness(const PolygonMesh& mesh, AlexaWardetzkyOptions options,
-                                               Monitor monitor) {
-    if (!(options.lambda >= 0) || !std::isfinite(options.lambda)) {
+namespace {
+
+Status build(const PolygonMesh& mesh, double lambda, OperatorMatrices& out, Monitor monitor) {
+    if (!(lambda >= 0) || !std::isfinite(lambda)) {
         return Error{ErrorCode::parameter_out_of_range, "lambda must be a finite number ≥ 0"};
     }
-    EdgeGradient face(options.lambda);
-    return assemble_faces(mesh, monitor,
-                          [&face](std::span<const Index>, Corners x, LocalMatrix& s) { return face(x, {}, s); });
+    return assemble_faces(mesh, EdgeGradient(lambda), out, monitor);
 }
-
-namespace {
 
 constexpr std::array parameters{lambda_parameter("λ = ½ is the five-point star on squares")};
 
 }  // namespace
+
+Result<SparseMatrix> alexa_wardetzky_stiffness(const PolygonMesh& mesh, AlexaWardetzkyOptions options,
+                                               Monitor monitor) {
+    return stiffness_of([&](OperatorMatrices& out) { return build(mesh, options.lambda, out, monitor); });
+}
 
 constinit const OperatorInfo alexa_wardetzky_info{
     .id = "alexa-wardetzky",
@@ -43,10 +44,8 @@ constinit const OperatorInfo alexa_wardetzky_info{
                .maximum_principle = {Claim::no, "negative weights let values overshoot"},
                .convergent = {Claim::some,
                               "consistent on linear functions; λ = 0 stabilises nothing, and large λ drowns the rest"}},
-    .build =
-        [](const PolygonMesh& mesh, const OperatorSpec& spec, Monitor monitor) {
-            return with_lumped_mass(mesh, alexa_wardetzky_stiffness(mesh, {.lambda = spec.values[0]}, monitor));
-        },
+    .build = [](const PolygonMesh& mesh, const OperatorSpec& spec, OperatorMatrices& out,
+                Monitor monitor) { return build(mesh, spec.values[0], out, monitor); },
 };
 
 }  // namespace polylap

@@ -6,7 +6,6 @@
 
 #include "operators/edge_gradient.hpp"
 #include "operators/vertex_weights.hpp"
-#include "polylap/operators/mass.hpp"
 
 namespace polylap {
 namespace {
@@ -21,28 +20,47 @@ Error edge_without_length(std::size_t i, std::size_t next) {
             "its edge between corners " + std::to_string(i) + " and " + std::to_string(next) + " has no length"};
 }
 
+/// The unweighted kernel with the shifts that weights make.
+class WeightedGradient {
+public:
+    WeightedGradient(double lambda, std::span<const double> weights) : gradient_(lambda), weights_(weights) {}
+
+    template <std::size_t n>
+    Status operator()(const Face<n>& face, LocalMatrix<n>& s, std::span<double, n> masses) {
+        if (weights_.empty()) return gradient_(face, s, masses);
+        const auto& x = face.x;
+        shift_.assign(x.size(), 0.0);
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            const std::size_t next = i + 1 == x.size() ? 0 : i + 1;
+            const double difference = weights_[static_cast<std::size_t>(face.vertices[i])] -
+                                      weights_[static_cast<std::size_t>(face.vertices[next])];
+            if (difference == 0) continue;
+            const double length = (x[next] - x[i]).stableNorm();
+            if (length == 0) return edge_without_length(i, next);
+            shift_[i] = difference / length / (2 * length);
+        }
+        gradient_.fill_shifted(face, shift_, s);
+        return Done{};
+    }
+
+private:
+    EdgeGradient gradient_;
+    std::span<const double> weights_;
+    std::vector<double> shift_;
+};
+
+Status build(const PolygonMesh& mesh, std::span<const double> weights, const AlexaWardetzkyWeightedOptions& options,
+             OperatorMatrices& out, Monitor monitor) {
+    if (Status status = check(options); !status) return status;
+    if (Status status = check_vertex_weights(mesh, weights); !status) return status;
+    return assemble_faces(mesh, WeightedGradient(options.lambda, weights), out, monitor);
+}
+
 }  // namespace
 
 Result<SparseMatrix> alexa_wardetzky_weighted_stiffness(const PolygonMesh& mesh, std::span<const double> weights,
                                                         AlexaWardetzkyWeightedOptions options, Monitor monitor) {
-    if (Status status = check(options); !status) return status.error();
-    if (Status status = check_vertex_weights(mesh, weights); !status) return status.error();
-    EdgeGradient face(options.lambda);
-    std::vector<double> shift;
-    return assemble_faces(mesh, monitor, [&](std::span<const Index> vertices, Corners x, LocalMatrix& s) -> Status {
-        if (weights.empty()) return face(x, {}, s);
-        shift.assign(x.size(), 0.0);
-        for (std::size_t i = 0; i < x.size(); ++i) {
-            const std::size_t next = i + 1 == x.size() ? 0 : i + 1;
-            const double difference =
-                weights[static_cast<std::size_t>(vertices[i])] - weights[static_cast<std::size_t>(vertices[next])];
-            if (difference == 0) continue;
-            const double length = (x[next] - x[i]).stableNorm();
-            if (length == 0) return edge_without_length(i, next);
-            shift[i] = difference / length / (2 * length);
-        }
-        return face(x, shift, s);
-    });
+    return stiffness_of([&](OperatorMatrices& out) { return build(mesh, weights, options, out, monitor); });
 }
 
 Result<Matrix> alexa_wardetzky_weighted_face(Corners corners, std::span<const double> distances,
@@ -66,8 +84,13 @@ Result<Matrix> alexa_wardetzky_weighted_face(Corners corners, std::span<const do
             shift[i] = distances[i] / length - 0.5;
         }
         Matrix matrix = Matrix::Zero(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
-        LocalMatrix s(matrix.data(), matrix.rows(), matrix.cols());
-        if (Status status = EdgeGradient(options.lambda)(corners, shift, s); !status) return status.error();
+        Face<std::dynamic_extent> face{{}, corners, vector_area(corners), 0};
+        face.area = safe_norm(face.vector_area);
+        if (is_zero_area(corners, face.area)) {
+            return Error{ErrorCode::degenerate_face, "its vector area is zero"};
+        }
+        LocalMatrix<std::dynamic_extent> s(matrix.data(), matrix.rows(), matrix.cols());
+        EdgeGradient(options.lambda).fill_shifted(face, shift, s);
         return matrix;
     });
 }
@@ -97,11 +120,8 @@ constinit const OperatorInfo alexa_wardetzky_weighted_info{
                .linear_precision = {Claim::triangles, "on larger faces only the transpose is precise"},
                .maximum_principle = {Claim::no, "negative weights let values overshoot"},
                .convergent = {Claim::no, "large weights can even make it singular"}},
-    .build =
-        [](const PolygonMesh& mesh, const OperatorSpec& spec, Monitor monitor) {
-            return with_lumped_mass(mesh, alexa_wardetzky_weighted_stiffness(mesh, spec.vertex_weights,
-                                                                             {.lambda = spec.values[0]}, monitor));
-        },
+    .build = [](const PolygonMesh& mesh, const OperatorSpec& spec, OperatorMatrices& out,
+                Monitor monitor) { return build(mesh, spec.vertex_weights, {.lambda = spec.values[0]}, out, monitor); },
 };
 
 }  // namespace polylap

@@ -5,7 +5,12 @@
 namespace polylap {
 
 Result<OperatorMatrices> cotan_matrices(const PolygonMesh& mesh, CotanOptions options, Monitor monitor) {
-    return triangulated_operator(mesh, {}, options.rule, options.mass, monitor);
+    return guard_memory([&]() -> Result<OperatorMatrices> {
+        OperatorMatrices out;
+        Status status = triangulated_operator(mesh, {}, options.rule, options.mass, out, monitor);
+        if (!status) return status.error();
+        return out;
+    });
 }
 
 constinit const OperatorInfo cotan_info{
@@ -27,11 +32,9 @@ constinit const OperatorInfo cotan_info{
                .convergent = {Claim::some,
                               "linear finite elements; not with the mass ring, which is six times the area"}},
     .build =
-        [](const PolygonMesh& mesh, const OperatorSpec& spec, Monitor monitor) {
-            return cotan_matrices(mesh,
-                                  {.rule = static_cast<TriangulationRule>(static_cast<int>(spec.values[0])),
-                                   .mass = static_cast<MassRule>(static_cast<int>(spec.values[1]))},
-                                  monitor);
+        [](const PolygonMesh& mesh, const OperatorSpec& spec, OperatorMatrices& out, Monitor monitor) {
+            return triangulated_operator(mesh, {}, static_cast<TriangulationRule>(static_cast<int>(spec.values[0])),
+                                         static_cast<MassRule>(static_cast<int>(spec.values[1])), out, monitor);
         },
 };
 

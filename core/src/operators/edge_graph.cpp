@@ -1,43 +1,59 @@
 #include "operators/edge_graph.hpp"
 
-#include "operators/assemble_faces.hpp"
+#include <vector>
+
+#include "mesh/face_pairs.hpp"
+#include "operators/sparse_pattern.hpp"
 
 namespace polylap {
 
-Result<SparseMatrix> graph_laplacian(const PolygonMesh& mesh, Monitor monitor) {
-    auto graph = assemble_faces(mesh, monitor, [](std::span<const Index> face, Corners, LocalMatrix& s) -> Status {
-        const auto n = static_cast<Index>(face.size());
-        for (Index i = 0; i < n; ++i) {
-            const Index next = i + 1 == n ? 0 : i + 1;
-            s(i, next) = s(next, i) = 1;
+Status graph_laplacian(const PolygonMesh& mesh, SparseMatrix& out, Monitor monitor) {
+    return guard_memory([&]() -> Status {
+        const Error cancelled{ErrorCode::cancelled, "cancelled"};
+        if (!monitor.proceed(0)) return cancelled;
+        // The sides of the faces, as faces of two corners.
+        const auto& connectivity = *mesh.connectivity();
+        std::vector<Index> offsets{0};
+        std::vector<Index> corners;
+        offsets.reserve(connectivity.corners.size() + 1);
+        corners.reserve(2 * connectivity.corners.size());
+        for (Index f = 0; f < connectivity.face_count(); ++f) {
+            Index from = connectivity.face(f).back();
+            for (const Index to : connectivity.face(f)) {
+                corners.push_back(from);
+                corners.push_back(to);
+                offsets.push_back(static_cast<Index>(corners.size()));
+                from = to;
+            }
+        }
+        Stretch pairing{monitor, 0.2, 0.8};
+        const auto pairs = pair_corners(mesh.vertex_count(), offsets, corners, pairing.monitor());
+        if (!pairs) return pairs.error();
+        if (!monitor.proceed(0.8)) return cancelled;
+        set_pattern(**pairs, out);
+        for (Index j = 0; j < out.cols(); ++j) {
+            double degree = -1;  // but for the diagonal's own entry
+            for (SparseMatrix::InnerIterator it(out, j); it; ++it) {
+                ++degree;
+            }
+            for (SparseMatrix::InnerIterator it(out, j); it; ++it) {
+                it.valueRef() = it.index() == j ? degree : -1;
+            }
         }
         return Done{};
     });
-    if (!graph) return graph;
-    // The sum counts an edge once per face; the graph has it once.
-    for (Index j = 0; j < graph->cols(); ++j) {
-        double degree = -1;  // of the diagonal's own entry
-        for (SparseMatrix::InnerIterator it(*graph, j); it; ++it) {
-            ++degree;
-            it.valueRef() = -1;
-        }
-        if (degree > 0) graph->coeffRef(j, j) = degree;
-    }
-    return graph;
 }
 
-Result<SparseMatrix> graph_laplacian_over(double (*divisor)(double d_i, double d_j), const PolygonMesh& mesh,
-                                          Monitor monitor) {
-    return guard_memory([&]() -> Result<SparseMatrix> {
-        auto graph = graph_laplacian(mesh, monitor);
-        if (!graph) return graph;
-        const Vector degree = graph->diagonal();
-        for (Index j = 0; j < graph->cols(); ++j) {
-            for (SparseMatrix::InnerIterator it(*graph, j); it; ++it) {
+Status graph_laplacian_over(EdgeDivisor divisor, const PolygonMesh& mesh, SparseMatrix& out, Monitor monitor) {
+    return guard_memory([&]() -> Status {
+        if (Status status = graph_laplacian(mesh, out, monitor); !status) return status;
+        const Vector degree = out.diagonal();
+        for (Index j = 0; j < out.cols(); ++j) {
+            for (SparseMatrix::InnerIterator it(out, j); it; ++it) {
                 it.valueRef() /= divisor(degree[it.row()], degree[j]);
             }
         }
-        return graph;
+        return Done{};
     });
 }
 

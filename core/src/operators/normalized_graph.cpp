@@ -3,12 +3,22 @@
 #include <cmath>
 
 #include "operators/edge_graph.hpp"
-#include "polylap/operators/mass.hpp"
+#include "operators/sparse_pattern.hpp"
 
 namespace polylap {
 
+namespace {
+
+Status stiffness(const PolygonMesh& mesh, SparseMatrix& out, Monitor monitor) {
+    return graph_laplacian_over([](double d_i, double d_j) { return std::sqrt(d_i * d_j); }, mesh, out, monitor);
+}
+
+}  // namespace
+
 Result<SparseMatrix> normalized_graph_stiffness(const PolygonMesh& mesh, Monitor monitor) {
-    return graph_laplacian_over([](double d_i, double d_j) { return std::sqrt(d_i * d_j); }, mesh, monitor);
+    SparseMatrix out;
+    if (Status status = stiffness(mesh, out, monitor); !status) return status.error();
+    return out;
 }
 
 constinit const OperatorInfo normalized_graph_info{
@@ -26,8 +36,11 @@ constinit const OperatorInfo normalized_graph_info{
                .linear_precision = {Claim::no, "a vertex need not lie at the mean of its neighbours"},
                .maximum_principle = {Claim::no, "vertices of many neighbours rise above the rest"},
                .convergent = {Claim::no, "it knows nothing of lengths and angles"}},
-    .build = [](const PolygonMesh& mesh, const OperatorSpec&,
-                Monitor monitor) { return with_lumped_mass(mesh, normalized_graph_stiffness(mesh, monitor)); },
+    .build =
+        [](const PolygonMesh& mesh, const OperatorSpec&, OperatorMatrices& out, Monitor monitor) {
+            assemble_lumped_mass(mesh, out.mass);
+            return stiffness(mesh, out.stiffness, monitor);
+        },
 };
 
 }  // namespace polylap

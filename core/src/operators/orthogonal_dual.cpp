@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "polylap/operators/mass.hpp"
+#include "operators/sparse_pattern.hpp"
 
 namespace polylap {
 
@@ -45,8 +45,13 @@ constinit const OperatorInfo orthogonal_dual_info{
                .linear_precision = {Claim::yes, "dual edges orthogonal to the edges close up around a vertex"},
                .maximum_principle = {Claim::no, "negative weights let values overshoot"},
                .convergent = {Claim::no, "where the constraints fight, the nearest dual lies far from the mesh"}},
-    .build = [](const PolygonMesh& mesh, const OperatorSpec&,
-                Monitor monitor) { return with_lumped_mass(mesh, orthogonal_dual_stiffness(mesh, {}, monitor)); },
+    .build = [](const PolygonMesh& mesh, const OperatorSpec&, OperatorMatrices& out, Monitor monitor) -> Status {
+        auto stiffness = orthogonal_dual_stiffness(mesh, {}, monitor);
+        if (!stiffness) return stiffness.error();
+        out.stiffness.swap(*stiffness);
+        assemble_lumped_mass(mesh, out.mass);
+        return Done{};
+    },
 };
 
 }  // namespace polylap

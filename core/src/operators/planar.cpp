@@ -2,49 +2,29 @@
 
 #include <array>
 
-#include "operators/assemble_faces.hpp"
+#include "operators/triangle_sum.hpp"
 #include "polylap/face/triangulate_mesh.hpp"
-#include "polylap/operators/mass.hpp"
 
 namespace polylap {
 namespace {
 
-/// Adds ½ cot of each angle of a counter-clockwise triangle to the side opposite (Pinkall & Polthier 1993; Herholz
-/// 2012, eq. 3.16).
-void add_cotan(std::span<const Eigen::Vector2d> points, const Triangle& t, LocalMatrix& s) {
+/// Cotangents of the projected triangle, counter-clockwise (Pinkall & Polthier 1993; Herholz 2012, eq. 3.16).
+inline Eigen::Matrix3d projected_cotan(const FaceTriangle& triangle) {
+    const auto p = [&](std::size_t k) -> const Eigen::Vector2d& {
+        return triangle.points[static_cast<std::size_t>(triangle.corners[k % 3])];
+    };
+    const double half_inverse = 0.5 / cross(p(1) - p(0), p(2) - p(0));
+    Vector3 w;
     for (std::size_t k = 0; k < 3; ++k) {
-        const Index i = t[(k + 1) % 3];
-        const Index j = t[(k + 2) % 3];
-        const Eigen::Vector2d u = points[static_cast<std::size_t>(i)] - points[static_cast<std::size_t>(t[k])];
-        const Eigen::Vector2d v = points[static_cast<std::size_t>(j)] - points[static_cast<std::size_t>(t[k])];
-        const double w = 0.5 * u.dot(v) / (u.x() * v.y() - u.y() * v.x());
-        s(i, i) += w;
-        s(j, j) += w;
-        s(i, j) -= w;
-        s(j, i) -= w;
+        w[static_cast<Eigen::Index>(k)] = (p(k + 1) - p(k)).dot(p(k + 2) - p(k)) * half_inverse;
     }
+    return triangle_laplacian(w);
 }
 
-class LocalStiffness {
-public:
-    explicit LocalStiffness(TriangulationRule rule) : rule_(rule) {}
-
-    Status operator()(std::span<const Index>, Corners corners, LocalMatrix& s) {
-        if (!project_maximally(corners, projection_)) {
-            return Error{ErrorCode::degenerate_face, "its vector area is zero"};
-        }
-        if (Status status = triangulate_polygon(projection_.points, rule_, triangles_); !status) return status;
-        for (const Triangle& t : triangles_) {
-            add_cotan(projection_.points, t, s);
-        }
-        return Done{};
-    }
-
-private:
-    TriangulationRule rule_;
-    Projection projection_;
-    std::vector<Triangle> triangles_;
-};
+Status build(const PolygonMesh& mesh, TriangulationRule rule, OperatorMatrices& out, Monitor monitor) {
+    const auto local = [](const FaceTriangle& triangle) { return projected_cotan(triangle); };
+    return assemble_triangles(mesh, rule, MassRule::lumped, local, out, monitor);
+}
 
 constexpr std::array parameters{
     choice_parameter("rule", "rule", triangulation_rule_names, "how the projected face is triangulated")};
@@ -52,7 +32,7 @@ constexpr std::array parameters{
 }  // namespace
 
 Result<SparseMatrix> planar_stiffness(const PolygonMesh& mesh, PlanarOptions options, Monitor monitor) {
-    return assemble_faces(mesh, monitor, LocalStiffness(options.rule));
+    return stiffness_of([&](OperatorMatrices& out) { return build(mesh, options.rule, out, monitor); });
 }
 
 constinit const OperatorInfo planar_info{
@@ -75,9 +55,8 @@ constinit const OperatorInfo planar_info{
                .maximum_principle = {Claim::no, "a negative weight lets values overshoot"},
                .convergent = {Claim::yes, "linear finite elements on the projected triangles"}},
     .build =
-        [](const PolygonMesh& mesh, const OperatorSpec& spec, Monitor monitor) {
-            const PlanarOptions options{static_cast<TriangulationRule>(static_cast<int>(spec.values[0]))};
-            return with_lumped_mass(mesh, planar_stiffness(mesh, options, monitor));
+        [](const PolygonMesh& mesh, const OperatorSpec& spec, OperatorMatrices& out, Monitor monitor) {
+            return build(mesh, static_cast<TriangulationRule>(static_cast<int>(spec.values[0])), out, monitor);
         },
 };
 

@@ -123,13 +123,21 @@ Result<OperatorSpec> complete_spec(OperatorSpec spec) {
 
 Result<OperatorMatrices> build_operator(const PolygonMesh& mesh, const OperatorSpec& spec, Monitor monitor) {
     return guard_memory([&]() -> Result<OperatorMatrices> {
+        OperatorMatrices matrices;
+        if (Status status = rebuild_operator(mesh, spec, matrices, monitor); !status) return status.error();
+        return matrices;
+    });
+}
+
+Status rebuild_operator(const PolygonMesh& mesh, const OperatorSpec& spec, OperatorMatrices& matrices,
+                        Monitor monitor) {
+    return guard_memory([&]() -> Status {
         const auto complete = complete_spec(spec);
         if (!complete) return complete.error();
         if (Status status = check_vertex_weights(mesh, complete->vertex_weights); !status) return status.error();
         const OperatorInfo& info = **find_operator(complete->id);
-        auto matrices = info.build(mesh, *complete, monitor);
-        if (matrices) matrices->structure = structure_of(info.claims);
-        return matrices;
+        matrices.structure = structure_of(info.claims);
+        return info.build(mesh, *complete, matrices, monitor);
     });
 }
 

@@ -19,7 +19,7 @@ inline constexpr std::array triangulated_parameters{
 /// in a form whose symmetry rounding keeps.
 /// @param weights ω, V values or none
 /// @error bad_argument, degenerate_face (element = face), out_of_memory, cancelled
-Result<OperatorMatrices> triangulated_operator(const PolygonMesh& mesh, std::span<const double> weights,
-                                               TriangulationRule rule, MassRule mass, Monitor monitor);
+Status triangulated_operator(const PolygonMesh& mesh, std::span<const double> weights, TriangulationRule rule,
+                             MassRule mass, OperatorMatrices& out, Monitor monitor);
 
 }  // namespace polylap

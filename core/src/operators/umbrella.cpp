@@ -1,12 +1,22 @@
 #include "polylap/operators/umbrella.hpp"
 
 #include "operators/edge_graph.hpp"
-#include "polylap/operators/mass.hpp"
+#include "operators/sparse_pattern.hpp"
 
 namespace polylap {
 
+namespace {
+
+Status stiffness(const PolygonMesh& mesh, SparseMatrix& out, Monitor monitor) {
+    return graph_laplacian(mesh, out, monitor);
+}
+
+}  // namespace
+
 Result<SparseMatrix> umbrella_stiffness(const PolygonMesh& mesh, Monitor monitor) {
-    return graph_laplacian(mesh, monitor);
+    SparseMatrix out;
+    if (Status status = stiffness(mesh, out, monitor); !status) return status.error();
+    return out;
 }
 
 constinit const OperatorInfo umbrella_info{
@@ -25,8 +35,11 @@ constinit const OperatorInfo umbrella_info{
                .linear_precision = {Claim::no, "a vertex need not lie at the mean of its neighbours"},
                .maximum_principle = {Claim::yes, "a harmonic value is the mean of its neighbours"},
                .convergent = {Claim::no, "it knows nothing of lengths and angles"}},
-    .build = [](const PolygonMesh& mesh, const OperatorSpec&,
-                Monitor monitor) { return with_lumped_mass(mesh, umbrella_stiffness(mesh, monitor)); },
+    .build =
+        [](const PolygonMesh& mesh, const OperatorSpec&, OperatorMatrices& out, Monitor monitor) {
+            assemble_lumped_mass(mesh, out.mass);
+            return stiffness(mesh, out.stiffness, monitor);
+        },
 };
 
 }  // namespace polylap

@@ -6,9 +6,13 @@ namespace polylap {
 
 Result<OperatorMatrices> weighted_cotan_matrices(const PolygonMesh& mesh, std::span<const double> weights,
                                                  WeightedCotanOptions options, Monitor monitor) {
-    auto matrices = triangulated_operator(mesh, weights, options.rule, options.mass, monitor);
-    if (matrices) matrices->structure = Structure::symmetric;
-    return matrices;
+    return guard_memory([&]() -> Result<OperatorMatrices> {
+        OperatorMatrices out;
+        out.structure = Structure::symmetric;
+        Status status = triangulated_operator(mesh, weights, options.rule, options.mass, out, monitor);
+        if (!status) return status.error();
+        return out;
+    });
 }
 
 constinit const OperatorInfo weighted_cotan_info{
@@ -32,11 +36,10 @@ constinit const OperatorInfo weighted_cotan_info{
                .maximum_principle = {Claim::no, "a negative weight lets values overshoot"},
                .convergent = {Claim::no, "large weights can even make it singular"}},
     .build =
-        [](const PolygonMesh& mesh, const OperatorSpec& spec, Monitor monitor) {
-            return weighted_cotan_matrices(mesh, spec.vertex_weights,
-                                           {.rule = static_cast<TriangulationRule>(static_cast<int>(spec.values[0])),
-                                            .mass = static_cast<MassRule>(static_cast<int>(spec.values[1]))},
-                                           monitor);
+        [](const PolygonMesh& mesh, const OperatorSpec& spec, OperatorMatrices& out, Monitor monitor) {
+            return triangulated_operator(mesh, spec.vertex_weights,
+                                         static_cast<TriangulationRule>(static_cast<int>(spec.values[0])),
+                                         static_cast<MassRule>(static_cast<int>(spec.values[1])), out, monitor);
         },
 };
 

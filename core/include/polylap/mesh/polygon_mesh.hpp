@@ -4,10 +4,13 @@
 #include <span>
 #include <vector>
 
+#include "polylap/base/once.hpp"
 #include "polylap/base/result.hpp"
 #include "polylap/base/types.hpp"
 
 namespace polylap {
+
+struct FacePairs;
 
 /// Which vertices each face has. Immutable and shared by all meshes that differ only in positions.
 struct Connectivity {
@@ -21,6 +24,8 @@ struct Connectivity {
         const auto last = static_cast<std::size_t>(offsets[static_cast<std::size_t>(f) + 1]);
         return std::span(corners).subspan(first, last - first);
     }
+
+    Once<FacePairs> face_pairs;  ///< What matrices on any positions share; the library's own.
 };
 
 /// A polygon mesh that passed validation: faces of any size ≥ 3, any number of components, with or without boundary.

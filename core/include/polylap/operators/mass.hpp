@@ -11,9 +11,6 @@ namespace polylap {
 /// @error out_of_memory
 Result<SparseMatrix> lumped_mass(const PolygonMesh& mesh);
 
-/// Joins a stiffness that was built, or failed to be, with the lumped mass.
-Result<OperatorMatrices> with_lumped_mass(const PolygonMesh& mesh, Result<SparseMatrix> stiffness);
-
 /// The mass of a triangulated surface.
 enum class MassRule : std::uint8_t {
     lumped,       ///< M_ii = Σ |a_f| / n_f over the uncut faces: lumped_mass.

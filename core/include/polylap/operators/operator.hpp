@@ -60,11 +60,35 @@ struct OperatorSpec {
 
 /// S: V×V, (S u)ᵢ = Σ w_ij (uᵢ - uⱼ), unitless. M: V×V, length², diagonal or (Galerkin) sparse symmetric. Both stored
 /// in full.
+///
+/// The entries of an operator that is a sum over faces depend on the connectivity alone: all pairs of vertices that
+/// share a face have one, be it 0. So do those of an operator of edges, with the pairs of neighbours.
 struct OperatorMatrices {
     SparseMatrix stiffness;
     SparseMatrix mass;
     /// What solvers may rely on; follows from the claims.
     Structure structure = Structure::positive_semidefinite;
+
+    OperatorMatrices() = default;
+    OperatorMatrices(SparseMatrix s, SparseMatrix m, Structure of = Structure::positive_semidefinite) : structure(of) {
+        stiffness.swap(s);
+        mass.swap(m);
+    }
+    ~OperatorMatrices() = default;
+    OperatorMatrices(const OperatorMatrices&) = default;
+    OperatorMatrices& operator=(const OperatorMatrices&) = default;
+    // Eigen 3.4's sparse matrices copy where they are told to move.
+    OperatorMatrices(OperatorMatrices&& other)
+        : structure(other.structure) {  // NOLINT(performance-noexcept-move-constructor): an empty matrix allocates
+        stiffness.swap(other.stiffness);
+        mass.swap(other.mass);
+    }
+    OperatorMatrices& operator=(OperatorMatrices&& other) noexcept {
+        structure = other.structure;
+        stiffness.swap(other.stiffness);
+        mass.swap(other.mass);
+        return *this;
+    }
 };
 
 /// One line of the operator table.
@@ -78,7 +102,8 @@ struct OperatorInfo {
     bool takes_vertex_weights = false;
     PropertyClaims claims;
     /// @param spec complete: one value per parameter, in range; vertex_weights empty or V finite values
-    Result<OperatorMatrices> (*build)(const PolygonMesh& mesh, const OperatorSpec& spec, Monitor monitor);
+    /// @param out  overwritten but for its structure; memory that is there is used again. Undefined after an error
+    Status (*build)(const PolygonMesh& mesh, const OperatorSpec& spec, OperatorMatrices& out, Monitor monitor);
 };
 
 /// The operator table, in the order of the menus. Explicit, because self-registration vanishes from a static library.
@@ -103,5 +128,10 @@ Result<OperatorSpec> complete_spec(OperatorSpec spec);
 /// @error unknown_operator, bad_argument (another number of vertex weights), parameter_out_of_range, degenerate_face
 /// (element = face), out_of_memory, cancelled
 Result<OperatorMatrices> build_operator(const PolygonMesh& mesh, const OperatorSpec& spec, Monitor monitor = {});
+
+/// The same into matrices that are there, of any operator on any mesh; those of the same connectivity lend their
+/// memory. After an error they are not to be used.
+Status rebuild_operator(const PolygonMesh& mesh, const OperatorSpec& spec, OperatorMatrices& matrices,
+                        Monitor monitor = {});
 
 }  // namespace polylap
