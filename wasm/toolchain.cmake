@@ -22,6 +22,7 @@ endif()
 # Emscripten searches its sysroot only; Eigen's package is header-only and serves every target.
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE BOTH)
 include("${POLYLAP_EMSCRIPTEN_FILE}")
+# Not -msse4.1 for Eigen's own packets: measured, it makes nothing faster, assembly 4 % slower, and 37 kB more.
 set(CMAKE_CXX_FLAGS_INIT -msimd128)
 list(APPEND CMAKE_PREFIX_PATH /usr /usr/local /opt/homebrew)
 
