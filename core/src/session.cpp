@@ -288,27 +288,26 @@ Result<Session::Harmonic> Session::harmonic(Side side, std::span<const Index> ve
         }
         if (!monitor.proceed(0.3)) return Error{ErrorCode::cancelled, "cancelled"};
 
-        // Where S 1 = 0, what lies above the least value is solved for: rounding then scales with the width of the
-        // range, and equal values give exactly that value everywhere.
         const Eigen::Map<const Vector> given(values.data(), static_cast<Eigen::Index>(values.size()));
-        const bool finite = given.size() > 0 && given.allFinite();
-        const double low = finite ? given.minCoeff() : 0;
-        const double high = finite ? given.maxCoeff() : 0;
-        const double width = high - low;
-        const double base = keeps_constants && std::isfinite(width) ? low : 0;
         Stretch solving{monitor, 0.3, 1};
-        auto above = slot.problem->solve(vertices, Vector(given.array() - base), state.surface.positions(),
-                                         impl_->analyses, solving.monitor());
-        if (!above) return above.error();
+        auto solution =
+            slot.problem->solve(vertices, given, state.surface.positions(), impl_->analyses, solving.monitor());
+        if (!solution) return solution.error();
         if (!monitor.proceed(1)) return Error{ErrorCode::cancelled, "cancelled"};
 
+        // Rounding scales with the width of the range, not with where it lies.
+        const double base = solution->base;
         Harmonic harmonic;
-        harmonic.fixed_min = harmonic.min = low;
-        harmonic.fixed_max = harmonic.max = high;
-        harmonic.values = *std::move(above);
-        const double slack = outside_tolerance * (keeps_constants ? width : given.cwiseAbs().maxCoeff());
-        const double lowest = low - base - slack;
-        const double highest = high - base + slack;
+        if (given.size() > 0) {
+            harmonic.fixed_min = harmonic.min = given.minCoeff();
+            harmonic.fixed_max = harmonic.max = given.maxCoeff();
+        }
+        harmonic.values = std::move(solution->above);
+        const double width = harmonic.fixed_max - harmonic.fixed_min;
+        const double size = std::max(std::abs(harmonic.fixed_min), std::abs(harmonic.fixed_max));
+        const double slack = outside_tolerance * (keeps_constants ? width : size);
+        const double lowest = harmonic.fixed_min - base - slack;
+        const double highest = harmonic.fixed_max - base + slack;
         for (Index v = 0; v < harmonic.values.size(); ++v) {
             const double u = harmonic.values[v];
             if (u < lowest || u > highest) harmonic.outside.push_back(v);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "polylap/solve/dirichlet.hpp"
@@ -185,6 +186,44 @@ TEST(Session, HarmonicOfVeryManyPins) {
         fixed.resize(20);
         values.resize(20);
     }
+}
+
+// So many pins that they are eliminated: one value moves, then another, far away, all the way to the others', and back.
+TEST(Session, DraggingAValueOfMany) {
+    Session session = open_mesh(get(make_grid(40, 40)));
+    const auto fixed = session.topology().boundary_vertices;
+    ASSERT_FALSE(PinnedProblem::may_pay(fixed.size(), session.mesh().vertex_count()));
+    for (const char* id : {"alexa-wardetzky", "normalized-graph", "tutte"}) {
+        check(session.set_operator(Side::a, {id, {}}));
+        std::vector<double> values(fixed.size(), 3);
+        const auto expect_as_new = [&](double scale) {
+            const auto h = get(session.harmonic(Side::a, fixed, values));
+            EXPECT_LE((h.values - from_scratch(session, Side::a, fixed, values)).cwiseAbs().maxCoeff(), 1e-9 * scale)
+                << id << ": " << values[7] << ", " << values[20];
+            return h;
+        };
+        expect_as_new(1);
+        for (const double value : {3.0, 3.1, 2.0, -50.0, -50.0, 3.0}) {
+            values[7] = value;
+            expect_as_new(1);
+        }
+        for (const double value : {3.5, 4.0, 1e12, -1e9, 3.0, 2.9}) {
+            values[20] = value;
+            expect_as_new(std::max(1.0, std::abs(value)));
+        }
+        values[7] = values[20] = 1e-3;
+        expect_as_new(1);
+    }
+    check(session.set_operator(Side::a, {"planar", {}}));
+    std::vector<double> values(fixed.size(), 0.3);
+    for (const double value : {0.3, 0.7, 0.3}) {  // back to one value for all: rounding is not outside
+        values[5] = value;
+        const auto h = get(session.harmonic(Side::a, fixed, values));
+        EXPECT_TRUE(h.outside.empty());
+        EXPECT_NEAR(h.max, value, 1e-15);
+    }
+    values[5] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(session.harmonic(Side::a, fixed, values).error().code, ErrorCode::bad_argument);
 }
 
 TEST(Session, HarmonicStopsWhenToldTo) {
