@@ -8,7 +8,6 @@
 #include "cache.hpp"
 #include "harmonic_problem.hpp"
 #include "known_analyses.hpp"
-#include "polylap/apply/smoothing.hpp"
 #include "polylap/mesh/mesh_io.hpp"
 
 namespace polylap {
@@ -21,22 +20,21 @@ struct MatricesKey {
     friend bool operator==(const MatricesKey&, const MatricesKey&) = default;
 };
 
-/// The last factorisation of M + tS. Its ordering and symbolic analysis outlive the values.
+/// The last system M + tS of a side, with its factor where there is one.
 struct SmootherSlot {
     std::optional<MatricesKey> matrices;
     double time = 0;
     std::optional<ImplicitSmoother> smoother;
 
-    Status prepare(const MatricesKey& key, double t, const OperatorMatrices& built) {
+    /// @param options what is known of the ordering, and for how many steps the system will stand
+    Status prepare(const MatricesKey& key, double t, const OperatorMatrices& built, KnownAnalyses& analyses,
+                   const SmootherOptions& options, Monitor monitor) {
         if (matrices == key && time == t) return Done{};
         matrices.reset();
-        if (!smoother) {
-            auto created = ImplicitSmoother::create(built, t);
-            if (!created) return created.error();
-            smoother = *std::move(created);
-        } else if (Status status = smoother->update(built, t); !status) {
-            return status;
-        }
+        if (!smoother) smoother.emplace();
+        // The pattern of M + tS is that of S, but for odd meshes.
+        if (auto known = analyses.find(built.stiffness)) smoother->use(std::move(known));
+        if (Status status = smoother->update(built, t, options, monitor); !status) return status;
         matrices = key;
         time = t;
         return Done{};
@@ -54,6 +52,7 @@ struct SideState {
     PolygonMesh surface;
     std::int64_t version = 0;
     int steps = 0;
+    std::optional<SmoothingSolve> solve = {};  ///< Of the step that led to the surface.
 
     MatricesKey key() const { return {version, spec}; }
 };
@@ -96,13 +95,9 @@ struct Session::Impl {
     }
 
     std::vector<float> to_float(const Points& points) const {
-        std::vector<float> out;
-        out.reserve(static_cast<std::size_t>(points.size()));
-        for (const auto& p : points.rowwise()) {
-            for (int k = 0; k < 3; ++k) {
-                out.push_back(static_cast<float>(p[k] - origin[k]));
-            }
-        }
+        std::vector<float> out(static_cast<std::size_t>(points.size()));
+        Eigen::Map<Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>(out.data(), points.rows(), 3) =
+            (points.rowwise() - origin.transpose()).cast<float>();
         return out;
     }
 };
@@ -192,6 +187,9 @@ const PolygonMesh& Session::surface(Side side) const noexcept {
 int Session::step_count(Side side) const noexcept {
     return impl_->side(side).steps;
 }
+const std::optional<SmoothingSolve>& Session::last_solve(Side side) const noexcept {
+    return impl_->side(side).solve;
+}
 
 std::vector<float> Session::float_positions(Side side) const {
     return impl_->to_float(impl_->side(side).surface.positions());
@@ -244,22 +242,31 @@ Status Session::smooth(Side side, const SmoothOptions& options, Monitor monitor)
             return Error{ErrorCode::bad_argument, "the number of steps must not be negative, nor beyond counting"};
         }
         SideState moved = state;
+        SmootherSlot& slot = impl_->smoother(side);
         for (int k = 0; k < options.steps; ++k) {
-            if (!monitor.proceed(static_cast<double>(k) / options.steps))
-                return Error{ErrorCode::cancelled, "cancelled"};
-            // The matrices take about half of a step, the factor the other half.
-            Stretch building{monitor, static_cast<double>(k) / options.steps, (k + 0.5) / options.steps};
+            const auto at = [&](double part) { return (k + part) / options.steps; };
+            if (!monitor.proceed(at(0))) return Error{ErrorCode::cancelled, "cancelled"};
+            Stretch building{monitor, at(0), at(0.3)};
+            Stretch preparing{monitor, at(0.3), at(0.7)};
+            Stretch stepping{monitor, at(0.7), at(1)};
+            const PolygonMesh& built_on = options.rebuild ? moved.surface : impl_->loaded;
             const MatricesKey key = options.rebuild ? moved.key() : MatricesKey{0, moved.spec};
-            const auto built = impl_->build(options.rebuild ? moved.surface : impl_->loaded, key, building.monitor());
+            const auto built = impl_->build(built_on, key, building.monitor());
             if (!built) return built.error();
-            SmootherSlot& slot = impl_->smoother(side);
-            if (Status status = slot.prepare(key, options.time, **built); !status) return status;
-            auto points = slot.smoother->step(moved.surface.positions());
+            const SmootherOptions serving{.steps = options.rebuild ? 1 : options.steps - k,
+                                          .positions = &impl_->loaded.positions()};
+            if (Status status = slot.prepare(key, options.time, **built, impl_->analyses, serving, preparing.monitor());
+                !status) {
+                return status;
+            }
+            auto points = slot.smoother->step(moved.surface.positions(), stepping.monitor());
             if (!points) return points.error();
+            impl_->analyses.keep(slot.smoother->analysis());
             auto surface = moved.surface.with_positions(*std::move(points));
             if (!surface) return surface.error();
             moved.surface = *std::move(surface);
             moved.version = ++impl_->last_version;
+            moved.solve = slot.smoother->last_solve();
             ++moved.steps;
         }
         if (!monitor.proceed(1)) return Error{ErrorCode::cancelled, "cancelled"};
@@ -349,6 +356,7 @@ void Session::reset(Side side) {
     state.surface = impl_->loaded;
     state.version = 0;
     state.steps = 0;
+    state.solve.reset();
 }
 
 Status Session::restore(Side side, Points positions, int steps) {
@@ -360,6 +368,7 @@ Status Session::restore(Side side, Points positions, int steps) {
         state.surface = *std::move(surface);
         state.version = ++impl_->last_version;
         state.steps = steps;
+        state.solve.reset();
         return Done{};
     });
 }

@@ -186,7 +186,7 @@ TEST(Session, SmoothsWithOrWithoutRebuilding) {
         check(session.set_operator(Side::b, {info->id, {}}));
 
         check(session.smooth(Side::a, {.time = time, .steps = 3, .rebuild = false}));
-        const auto frozen = get(ImplicitSmoother::create(get(build_operator(start, {info->id, {}})), time));
+        auto frozen = get(ImplicitSmoother::create(get(build_operator(start, {info->id, {}})), time));
         Points x = start.positions();
         for (int k = 0; k < 3; ++k) {
             x = get(frozen.step(x));
@@ -200,7 +200,7 @@ TEST(Session, SmoothsWithOrWithoutRebuilding) {
         check(session.smooth(Side::b, {.time = time, .steps = 3, .rebuild = true}));
         PolygonMesh moving = start;
         for (int k = 0; k < 3; ++k) {
-            const auto smoother = get(ImplicitSmoother::create(get(build_operator(moving, {info->id, {}})), time));
+            auto smoother = get(ImplicitSmoother::create(get(build_operator(moving, {info->id, {}})), time));
             moving = get(moving.with_positions(get(smoother.step(moving.positions()))));
         }
         EXPECT_LE((session.surface(Side::b).positions() - moving.positions()).cwiseAbs().maxCoeff(), 1e-13) << info->id;

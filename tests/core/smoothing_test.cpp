@@ -48,7 +48,7 @@ TEST(ImplicitSmoother, KeepsTheCentreAndLowersTheEnergy) {
             continue;
         const auto m = build(mesh, info);
         if (m.structure != Structure::positive_semidefinite) continue;
-        const auto smoother = get(ImplicitSmoother::create(m, 0.01));
+        auto smoother = get(ImplicitSmoother::create(m, 0.01));
         const auto energy = [&](const Points& x) { return (x.transpose() * (m.stiffness * x)).trace(); };
         Points x = mesh.positions();
         const Eigen::RowVector3d centre = Eigen::RowVectorXd::Ones(x.rows()) * (m.mass * x);
@@ -91,6 +91,168 @@ TEST(ImplicitSmoother, UpdateIsTheSameAsCreate) {
     expect_equal(grid, operators().back(), 0.01);                                  // other size
 }
 
+using Choice = SmootherOptions::Choice;
+
+// What both leave is far below what anybody could see, for steps from nothing to nearly flat.
+TEST(ImplicitSmoother, SolversAgree) {
+    for (const auto& [name, mesh] : zoo()) {
+        for (const OperatorInfo* info : operators()) {
+            const auto built = build_operator(mesh, {info->id, {}});
+            if (!built || built->mass.diagonal().minCoeff() < 0) continue;
+            for (const double time_h2 : {1e-6, 1e-3, 0.1, 1.0, 30.0, 1e3}) {
+                const double time = time_h2 * built->mass.sum() / mesh.vertex_count();
+                auto direct = ImplicitSmoother::create(*built, time, {.choice = Choice::direct});
+                auto iterative = ImplicitSmoother::create(*built, time, {.choice = Choice::iterative});
+                ASSERT_EQ(direct.ok(), iterative.ok()) << name << ", " << info->id;
+                if (!direct) continue;  // mass of 0
+                const Points expected = get(direct->step(mesh.positions()));
+                const Points moved = get(iterative->step(mesh.positions()));
+                EXPECT_LE((moved - expected).cwiseAbs().maxCoeff(), 1e-9 * bounding_size(mesh))
+                    << name << ", " << info->id << ", " << time_h2;
+                const bool definite = built->structure == Structure::positive_semidefinite;
+                EXPECT_EQ(direct->last_solve().solver == SmoothingSolver::cholesky || !definite, true);
+                if (definite && time_h2 <= 1) {
+                    EXPECT_EQ(iterative->last_solve().solver, SmoothingSolver::conjugate_gradients)
+                        << name << ", " << info->id << ", " << time_h2;
+                }
+                if (!definite) {
+                    EXPECT_NE(iterative->last_solve().solver, SmoothingSolver::conjugate_gradients);
+                }
+            }
+        }
+    }
+}
+
+PolygonMesh large_torus() {
+    return get(add_normal_noise(get(make_torus(70, 60)), 0.3, 5));
+}
+double squared_edge(const OperatorMatrices& m) {
+    return m.mass.sum() / static_cast<double>(m.mass.rows());
+}
+
+TEST(ImplicitSmoother, ChoosesTheCheaperSolver) {
+    const PolygonMesh mesh = large_torus();
+    const auto m = build(mesh, operators().front());
+    const auto solve_with = [&](double time_h2, SmootherOptions options) {
+        auto smoother = get(ImplicitSmoother::create(m, time_h2 * squared_edge(m), options));
+        get(smoother.step(mesh.positions()));
+        return smoother.last_solve();
+    };
+    const auto small = solve_with(0.01, {});
+    EXPECT_EQ(small.solver, SmoothingSolver::conjugate_gradients);
+    EXPECT_GT(small.iterations, 0);
+    EXPECT_LT(small.iterations, 20);
+    const auto large = solve_with(1e4, {});
+    EXPECT_EQ(large.solver, SmoothingSolver::cholesky);
+    EXPECT_EQ(large.iterations, 0);
+    EXPECT_EQ(solve_with(1, {}).solver, SmoothingSolver::conjugate_gradients);
+    EXPECT_EQ(solve_with(1, {.steps = 1000}).solver, SmoothingSolver::cholesky) << "the factor serves all steps";
+    EXPECT_EQ(solve_with(0.01, {.choice = Choice::direct}).solver, SmoothingSolver::cholesky);
+    EXPECT_EQ(solve_with(30, {.choice = Choice::iterative}).solver, SmoothingSolver::conjugate_gradients);
+    EXPECT_EQ(solver_name(small.solver), "conjugate-gradients");
+    EXPECT_EQ(solver_name(large.solver), "cholesky");
+    EXPECT_EQ(solver_name(SmoothingSolver::lu), "lu");
+}
+
+TEST(ImplicitSmoother, FactorsOnceEnoughStepsWereIterated) {
+    const PolygonMesh mesh = large_torus();
+    const auto m = build(mesh, operators().front());
+    const double time = 0.01 * squared_edge(m);
+    auto smoother = get(ImplicitSmoother::create(m, time));
+    auto direct = get(ImplicitSmoother::create(m, time, {.choice = Choice::direct}));
+    Points x = mesh.positions();
+    Points expected = x;
+    int steps = 0;
+    while (steps < 200) {
+        x = get(smoother.step(x));
+        expected = get(direct.step(expected));
+        ++steps;
+        if (smoother.last_solve().solver == SmoothingSolver::cholesky) break;
+    }
+    EXPECT_GT(steps, 1);
+    EXPECT_LT(steps, 200) << "never worth a factor";
+    EXPECT_LE((x - expected).cwiseAbs().maxCoeff(), 1e-9);
+    get(smoother.step(x));
+    EXPECT_EQ(smoother.last_solve().solver, SmoothingSolver::cholesky);
+    check(smoother.update(m, time));  // another system, as far as the smoother knows; the analysis is no cost any more
+    ASSERT_NE(smoother.analysis(), nullptr);
+    EXPECT_TRUE(smoother.analysis()->fits(m.stiffness));
+}
+
+// Conjugate gradients find out only while they run; the factor names the vertex.
+TEST(ImplicitSmoother, FallsBackToAFactor) {
+    const PolygonMesh mesh = large_torus();
+    auto m = build(mesh, operators().front());
+    const double time = squared_edge(m);
+    const Index v = 1234;
+    SparseMatrix::InnerIterator it(m.stiffness, v);
+    while (it.row() == v)
+        ++it;
+    const auto other = static_cast<Index>(it.row());
+    m.stiffness.coeffRef(other, v) = m.stiffness.coeffRef(v, other) = 50;  // the diagonal stays positive
+    for (const auto choice : {Choice::automatic, Choice::iterative}) {
+        auto smoother = get(ImplicitSmoother::create(m, time, {.choice = choice}));
+        const auto step = smoother.step(mesh.positions());
+        ASSERT_FALSE(step.ok());
+        EXPECT_EQ(step.error().code, ErrorCode::not_positive_definite);
+        EXPECT_TRUE(step.error().element == v || step.error().element == other) << step.error().element;
+        EXPECT_NE(step.error().message.find("vertex " + std::to_string(step.error().element)), std::string::npos);
+    }
+}
+
+TEST(ImplicitSmoother, FarFromTheOriginIsTheSame) {
+    const PolygonMesh mesh = large_torus();
+    const auto m = build(mesh, operators().front());
+    const Eigen::RowVector3d far(1e7, -2e7, 3e7);
+    const Points there = mesh.positions().rowwise() + far;
+    for (const auto choice : {Choice::direct, Choice::iterative}) {
+        auto smoother = get(ImplicitSmoother::create(m, squared_edge(m), {.choice = choice}));
+        const Points here = get(smoother.step(mesh.positions()));
+        const Points moved = get(smoother.step(there)).rowwise() - far;
+        EXPECT_LE((moved - here).cwiseAbs().maxCoeff(), 1e-7);  // the digits that coordinates have there
+        EXPECT_GT((here - mesh.positions()).cwiseAbs().maxCoeff(), 1e-3);
+    }
+}
+
+TEST(ImplicitSmoother, TicksRiseAndStop) {
+    const PolygonMesh mesh = large_torus();
+    const auto m = build(mesh, operators().front());
+    const double time = 30 * squared_edge(m);
+    for (const auto choice : {Choice::direct, Choice::iterative}) {
+        const SmootherOptions options{.choice = choice};
+        Ticks creating, stepping;
+        auto smoother = get(ImplicitSmoother::create(m, time, options, creating.monitor()));
+        get(smoother.step(mesh.positions(), stepping.monitor()));
+        EXPECT_TRUE(creating.rise());
+        creating.stop_at = 1;
+        const auto not_created = ImplicitSmoother::create(m, time, options, creating.monitor());
+        ASSERT_FALSE(not_created.ok());
+        EXPECT_EQ(not_created.error().code, ErrorCode::cancelled);
+        if (choice == Choice::direct) continue;
+        EXPECT_TRUE(stepping.rise());
+        Ticks ticks;
+        ticks.stop_at = stepping.fractions.size();
+        const auto stopped = smoother.step(mesh.positions(), ticks.monitor());
+        ASSERT_FALSE(stopped.ok());
+        EXPECT_EQ(stopped.error().code, ErrorCode::cancelled);
+        EXPECT_TRUE(smoother.step(mesh.positions()).ok()) << "a stopped step can be made again";
+    }
+}
+
+TEST(ImplicitSmoother, HasNothingToSolveBeforeAnUpdate) {
+    ImplicitSmoother smoother;
+    const auto m = build(specimen("grid-2x2"), operators().front());
+    const auto refused = [&] {
+        const auto step = smoother.step(specimen("grid-2x2").positions());
+        return !step && step.error().code == ErrorCode::bad_argument;
+    };
+    EXPECT_TRUE(refused());
+    check(smoother.update(m, 1));
+    EXPECT_FALSE(refused());
+    EXPECT_FALSE(smoother.update(m, -1).ok());
+    EXPECT_TRUE(refused());
+}
+
 TEST(ImplicitSmoother, RefusesBadTimes) {
     const auto m = build(specimen("grid-2x2"), operators().front());
     for (const double time : {0.0, -1.0, nan, infinity, -infinity}) {
@@ -120,7 +282,7 @@ TEST(ImplicitSmoother, RefusesMassesAndMatricesThatDoNotFit) {
     EXPECT_GE(smoother.error().element, 0);
     EXPECT_LT(smoother.error().element, 9);
 
-    const auto good = get(ImplicitSmoother::create(m, 1));
+    auto good = get(ImplicitSmoother::create(m, 1));
     const auto step = good.step(Points::Zero(8, 3));
     ASSERT_FALSE(step.ok());
     EXPECT_EQ(step.error().code, ErrorCode::bad_argument);

@@ -11,6 +11,7 @@
 #include "polylap/apply/diagnostics.hpp"
 #include "polylap/apply/display.hpp"
 #include "polylap/apply/properties.hpp"
+#include "polylap/apply/smoothing.hpp"
 #include "polylap/mesh/repair.hpp"
 #include "polylap/mesh/topology.hpp"
 #include "polylap/operators/dual_vertices.hpp"
@@ -68,6 +69,8 @@ public:
     /// The side's surface as it stands, and how many smoothing steps led there.
     const PolygonMesh& surface(Side side) const noexcept;
     int step_count(Side side) const noexcept;
+    /// How the smoothing step that led to the side's surface was solved; empty where none did, or another session's.
+    const std::optional<SmoothingSolve>& last_solve(Side side) const noexcept;
     /// 3V floats: the surface relative to origin().
     std::vector<float> float_positions(Side side) const;
 

@@ -1,33 +1,89 @@
 #include "polylap/apply/smoothing.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
+
+#include "apply/smoothing_cost.hpp"
+#include "polylap/solve/conjugate_gradients.hpp"
 
 namespace polylap {
 namespace {
 
-/// Not 0 at the columns with a nonzero (or no finite) entry.
-Vector columns_in_use(const SparseMatrix& a) {
-    Vector used = Vector::Zero(a.cols());
+/// S keeps constants where no row sum exceeds this multiple of the sum of its absolute values in M + tS: far above the
+/// rounding of sums over faces, and no more than the solvers leave.
+constexpr double constants_rounding = 1e-12;
+
+/// Up to this size a factor costs next to nothing (2000 rows: 2 ms).
+constexpr Eigen::Index always_factored = 2000;
+
+bool is_zero(const SparseMatrix& a, Index column) {
+    for (SparseMatrix::InnerIterator it(a, column); it; ++it) {
+        if (it.value() != 0) return false;  // nor is NaN
+    }
+    return true;
+}
+
+bool is_diagonal(const SparseMatrix& a) {
     for (Index k = 0; k < a.cols(); ++k) {
         for (SparseMatrix::InnerIterator it(a, k); it; ++it) {
-            if (it.value() != 0) used[k] = 1;
+            if (it.index() != k) return false;
         }
     }
-    return used;
+    return true;
+}
+
+/// Adds a diagonal in place. @return false where an entry has no place
+bool add_diagonal(SparseMatrix& a, const Vector& diagonal) {
+    for (Index k = 0; k < a.cols(); ++k) {
+        const Index* const begin = a.innerIndexPtr() + a.outerIndexPtr()[k];
+        const Index* const end = a.innerIndexPtr() + a.outerIndexPtr()[k + 1];
+        const Index* const found = std::lower_bound(begin, end, k);
+        if (found == end || *found != k) return false;
+        a.valuePtr()[found - a.innerIndexPtr()] += diagonal[k];
+    }
+    return true;
 }
 
 }  // namespace
 
-Result<ImplicitSmoother> ImplicitSmoother::create(const OperatorMatrices& matrices, double time) {
+std::string_view solver_name(SmoothingSolver solver) noexcept {
+    switch (solver) {
+        case SmoothingSolver::cholesky:
+            return "cholesky";
+        case SmoothingSolver::lu:
+            return "lu";
+        case SmoothingSolver::conjugate_gradients:
+            break;
+    }
+    return "conjugate-gradients";
+}
+
+Result<ImplicitSmoother> ImplicitSmoother::create(const OperatorMatrices& matrices, double time,
+                                                  const SmootherOptions& options, Monitor monitor) {
     return guard_memory([&]() -> Result<ImplicitSmoother> {
         ImplicitSmoother smoother;
-        if (Status status = smoother.update(matrices, time); !status) return status.error();
+        if (Status status = smoother.update(matrices, time, options, monitor); !status) return status.error();
         return smoother;
     });
 }
 
-Status ImplicitSmoother::update(const OperatorMatrices& matrices, double time) {
+ImplicitSmoother::ImplicitSmoother() : iterations_per_root_condition_(SmoothingCost::iterations_per_root_condition) {}
+
+void ImplicitSmoother::use(std::shared_ptr<const SpdAnalysis> analysis) {
+    if (analysis == factor_.analysis()) return;
+    factored_ = false;
+    factor_.use(std::move(analysis));
+}
+
+const std::shared_ptr<const SpdAnalysis>& ImplicitSmoother::analysis() const noexcept {
+    return factor_.analysis();
+}
+
+Status ImplicitSmoother::update(const OperatorMatrices& matrices, double time, const SmootherOptions& options,
+                                Monitor monitor) {
+    ready_ = factored_ = false;
     if (!(time > 0) || !std::isfinite(time)) {
         return Error{ErrorCode::bad_argument, "the time step must be a positive number"};
     }
@@ -35,48 +91,146 @@ Status ImplicitSmoother::update(const OperatorMatrices& matrices, double time) {
     if (matrices.stiffness.cols() != n || matrices.mass.rows() != n || matrices.mass.cols() != n) {
         return Error{ErrorCode::bad_argument, "stiffness and mass must be square and of the same size"};
     }
+    if (!monitor.proceed(0)) return Error{ErrorCode::cancelled, "cancelled"};
     return guard_memory([&]() -> Status {
-        const Vector used = columns_in_use(matrices.stiffness) + columns_in_use(matrices.mass);
-        const Vector diagonal = matrices.mass.diagonal();
-        Vector unused = Vector::Zero(n);
-        for (Index v = 0; v < n; ++v) {
-            if (used[v] == 0) {
-                unused[v] = 1;  // in no face: 1 x' = 1 x
-            } else if (!(diagonal[v] > 0)) {
-                return Error{ErrorCode::mass_not_positive,
-                             "the mass of vertex " + std::to_string(v) + " is not positive", v};
-            }
+        if (Status status = build(matrices, time); !status) return status;
+        structure_ = matrices.structure;
+        choice_ = options.choice;
+        steps_to_come_ = std::max(1, options.steps);
+        iterations_spent_ = 0;
+        positions_ = options.positions;
+        analysed_ = analysis() != nullptr && analysis()->fits(system_);
+        if (!iterations_pay()) {
+            if (Status status = factor(monitor); !status) return status;
         }
-        SparseMatrix mass = matrices.mass;
-        mass += SparseMatrix(unused.asDiagonal());
-        SparseMatrix system = time * matrices.stiffness;
-        system += mass;
-        if (Status status = factor_.factor(system, matrices.structure); !status) {
-            Error error = status.error();
-            if (error.code == ErrorCode::not_positive_definite) {
-                const bool definite = matrices.structure == Structure::positive_semidefinite;
-                error.message = std::string("M + tS is ") + (definite ? "not positive definite" : "singular");
-                if (error.element >= 0) error.message += " at vertex " + std::to_string(error.element);
-                error.message += ", where the surface may have collapsed, or t is too large";
-            }
-            return error;
-        }
-        mass_.swap(mass);
+        ready_ = true;
         return Done{};
     });
 }
 
-Result<Points> ImplicitSmoother::step(const Points& points) const {
+Status ImplicitSmoother::build(const OperatorMatrices& matrices, double time) {
+    const auto n = static_cast<Index>(matrices.mass.rows());
+    Vector diagonal = matrices.mass.diagonal();
+    Vector unused = Vector::Zero(n);
+    for (Index v = 0; v < n; ++v) {
+        if (diagonal[v] > 0) continue;
+        if (!is_zero(matrices.stiffness, v) || !is_zero(matrices.mass, v)) {
+            return Error{ErrorCode::mass_not_positive, "the mass of vertex " + std::to_string(v) + " is not positive",
+                         v};
+        }
+        diagonal[v] = unused[v] = 1;  // in no face: 1 x' = 1 x
+    }
+    mass_ = matrices.mass;
+    if (unused.any()) mass_ += SparseMatrix(unused.asDiagonal());
+
+    system_ = matrices.stiffness;
+    system_.makeCompressed();
+    system_.coeffs() *= time;
+    if (!is_diagonal(mass_) || !add_diagonal(system_, diagonal)) {
+        system_ = time * matrices.stiffness;
+        system_ += mass_;
+    }
+
+    condition_ = 0;
+    keeps_constants_ = matrices.structure != Structure::general;  // whose columns are not its rows
+    for (Index k = 0; k < n; ++k) {
+        double size = 0;
+        double sum = 0;  // of column k of tS
+        for (SparseMatrix::InnerIterator it(system_, k); it; ++it) {
+            size += std::abs(it.value());
+            sum += it.value();
+        }
+        for (SparseMatrix::InnerIterator it(mass_, k); it; ++it) {
+            sum -= it.value();
+        }
+        condition_ += size / diagonal[k] / n;
+        keeps_constants_ = keeps_constants_ && std::abs(sum) <= constants_rounding * size;
+    }
+    return Done{};
+}
+
+double ImplicitSmoother::iterations_worth_a_factor() const {
+    const SmoothingCost cost{static_cast<double>(system_.rows()), static_cast<double>(system_.nonZeros()),
+                             analysed_ ? analysis().get() : nullptr};
+    const double factor = cost.factor() + steps_to_come_ * cost.solve();
+    return (factor / cost.iteration() - iterations_spent_) / steps_to_come_ - SmoothingCost::preparing;
+}
+
+bool ImplicitSmoother::iterations_pay() const {
+    if (structure_ != Structure::positive_semidefinite) return false;
+    if (choice_ != SmootherOptions::Choice::automatic) return choice_ == SmootherOptions::Choice::iterative;
+    if (system_.rows() <= always_factored) return false;
+    return iterations_per_root_condition_ * std::sqrt(condition_) < iterations_worth_a_factor();
+}
+
+Status ImplicitSmoother::factor(Monitor monitor) {
+    Status status = factor_.factor(system_, structure_, positions_ == nullptr ? Points() : *positions_, monitor);
+    factored_ = status.ok();
+    if (factored_ || status.error().code != ErrorCode::not_positive_definite) return status;
+    Error error = status.error();
+    const bool definite = structure_ == Structure::positive_semidefinite;
+    error.message = std::string("M + tS is ") + (definite ? "not positive definite" : "singular");
+    if (error.element >= 0) error.message += " at vertex " + std::to_string(error.element);
+    error.message += ", where the surface may have collapsed, or t is too large";
+    return error;
+}
+
+Result<Points> ImplicitSmoother::step(const Points& points, Monitor monitor) {
+    if (!ready_) return Error{ErrorCode::bad_argument, "there is no system to solve"};
     if (points.rows() != mass_.rows()) {
         return Error{ErrorCode::bad_argument, "the operator has " + std::to_string(mass_.rows()) + " vertices, but " +
                                                   std::to_string(points.rows()) + " points were given"};
     }
     if (!points.allFinite()) return Error{ErrorCode::bad_argument, "the points must be finite"};
     return guard_memory([&]() -> Result<Points> {
-        const auto moved = factor_.solve(mass_ * points);
-        if (!moved) return moved.error();
-        return Points(*moved);
+        // Around their centre, so that what is small against the points is small against the surface.
+        Eigen::RowVector3d centre = Eigen::RowVector3d::Zero();
+        if (keeps_constants_ && points.rows() > 0) centre = points.colwise().mean();
+        auto moved = solve(points.rowwise() - centre, monitor);
+        if (moved) moved->rowwise() += centre;
+        steps_to_come_ = std::max(1, steps_to_come_ - 1);
+        return moved;
     });
+}
+
+Result<Points> ImplicitSmoother::solve(const Points& points, Monitor monitor) {
+    const Points rhs = mass_ * points;
+    double done = 0;
+    if (!factored_ && iterations_pay()) {
+        constexpr double iterating = 0.9;  // of the progress; a factor takes the rest where that fails
+        Stretch stretch{monitor, done, iterating};
+        auto moved = iterate(points, rhs, stretch.monitor());
+        if (moved) return moved;
+        const ErrorCode code = moved.error().code;
+        if (code != ErrorCode::not_converged && code != ErrorCode::not_positive_definite) return moved;
+        done = iterating;
+    }
+    if (!factored_) {
+        Stretch stretch{monitor, done, 1};
+        if (Status status = factor(stretch.monitor()); !status) return status.error();
+    }
+    const auto moved = factor_.solve(rhs);
+    if (!moved) return moved.error();
+    last_ = {factor_.is_cholesky() ? SmoothingSolver::cholesky : SmoothingSolver::lu, 0};
+    return Points(*moved);
+}
+
+Result<Points> ImplicitSmoother::iterate(const Points& points, const Points& rhs, Monitor monitor) {
+    GradientOptions options;
+    if (choice_ == SmootherOptions::Choice::automatic) {  // where the forecast fails, no more than a factor is lost
+        options.most_iterations = static_cast<int>(std::min(std::ceil(iterations_worth_a_factor()), 1e9));
+    }
+    auto moved = conjugate_gradients(system_, rhs, points, options, monitor);
+    const bool failed = !moved && moved.error().code == ErrorCode::not_converged;
+    const int iterations = moved ? moved->iterations : options.most_iterations;
+    if (moved || failed) {
+        iterations_spent_ += iterations;
+        // So that what failed is not tried again on a system like it.
+        iterations_per_root_condition_ = (iterations + 1) / std::sqrt(condition_);
+    }
+    if (!moved) return moved.error();
+    last_ = {SmoothingSolver::conjugate_gradients, iterations};
+    return std::move(moved->x);
 }
 
 }  // namespace polylap

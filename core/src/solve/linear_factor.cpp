@@ -127,6 +127,10 @@ const std::shared_ptr<const SpdAnalysis>& LinearFactor::analysis() const noexcep
     return impl_->cholesky.analysis();
 }
 
+bool LinearFactor::is_cholesky() const noexcept {
+    return impl_->solver == Impl::Solver::cholesky;
+}
+
 Status LinearFactor::factor(const SparseMatrix& a, Structure structure, const Points& positions, Monitor monitor) {
     impl_->solver = Impl::Solver::none;
     if (a.rows() != a.cols()) {

@@ -32,7 +32,8 @@ void smooth_by_parts(const PolygonMesh& mesh, double time, Record& record) {
 void smooth(const PolygonMesh& mesh, double time, Record& record) {
     const Points moved = record.time("total", [&] {
         const OperatorMatrices matrices = build(mesh);
-        const ImplicitSmoother smoother = opened(ImplicitSmoother::create(matrices, time));
+        ImplicitSmoother smoother =
+            opened(ImplicitSmoother::create(matrices, time, {.positions = &mesh.positions()}));
         return opened(smoother.step(mesh.positions()));
     });
     require(moved.allFinite(), "smoothing gave no positions");

@@ -32,6 +32,9 @@ public:
     /// That of the Cholesky factor; null before there was one.
     const std::shared_ptr<const SpdAnalysis>& analysis() const noexcept;
 
+    /// Whether the last factor is a Cholesky factor, rather than LU.
+    bool is_cholesky() const noexcept;
+
     /// @param rhs n×k   @return n×k
     /// @error bad_argument (nothing is factored, another number of rows), out_of_memory
     Result<Matrix> solve(const Eigen::Ref<const Matrix>& rhs) const;

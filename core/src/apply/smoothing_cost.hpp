@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "polylap/solve/spd_factor.hpp"
+#include "solve/dense/kernels.hpp"
+
+namespace polylap {
+
+/// What a smoothing step costs by either solver, in seconds on one core of the machine that the rates were measured on;
+/// others change all of them alike, and only ratios decide. Measured on quad tori of 10⁴ to 2.5·10⁵ vertices, where
+/// both costs come out within a third.
+struct SmoothingCost {
+    double rows = 0;
+    double entries = 0;                  ///< Of the system.
+    const SpdAnalysis* known = nullptr;  ///< Null: the analysis is still to be made.
+
+    /// Iterations per root of the mean of (M_ii + t Σ|S_ij|) / M_ii. Measured: 4 to 5 for t from 0.1 to 100 h² on tori,
+    /// spheres and Voronoi cells, 3 where iterations are few, 8 with slivers.
+    static constexpr double iterations_per_root_condition = 5;
+
+    /// What conjugate gradients do before the first iteration, in iterations.
+    static constexpr double preparing = 3;
+
+    double iteration() const { return 2.4e-9 * entries; }
+    double factor() const { return analysis() + seconds_per_flop() * flops() + 6e-9 * factor_entries(); }
+    double solve() const { return 3e-9 * factor_entries(); }
+
+private:
+    double analysis() const { return known == nullptr ? 1.6e-6 * rows : 0; }
+    // Nested dissection of a grid, of which surfaces have the separators: O(n^1.5) and O(n log n) (George 1973).
+    double flops() const { return known == nullptr ? 55 * std::pow(rows, 1.5) : known->factor_flops(); }
+    double factor_entries() const {
+        return known == nullptr ? 3.5 * rows * std::log2(rows + 1) : static_cast<double>(known->factor_entries());
+    }
+    /// The wider the machine's registers, the faster dense blocks are; sparse sweeps wait for memory.
+    static double seconds_per_flop() {
+        constexpr std::array from_baseline_up{0.063e-9, 0.02e-9, 0.01e-9};
+        return from_baseline_up[dense::kernels().size() - 1];
+    }
+};
+
+}  // namespace polylap
