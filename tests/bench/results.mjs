@@ -59,7 +59,18 @@ function pivot(rows) {
 
 /** Every factorisation of one shape, with the time from scratch and what that is of polylap's. */
 function factorTable(find, rows) {
-  const head = ['vertices', '', 'from scratch', 'over polylap', 'analyse', 'numbers', 'solve 1', 'solve 3', 'nnz(L)'];
+  const head = [
+    'vertices',
+    '',
+    'from scratch',
+    'over polylap',
+    'analyse',
+    'numbers',
+    'solve 1',
+    'solve 3',
+    'nnz(L)',
+    'Gflop/s',
+  ];
   const lines = [...groupBy(rows, ({ n, item }) => `${n}\t${item}`)].map(([key, cells]) => {
     const [n, item] = key.split('\t');
     const { shape } = cells[0];
@@ -73,10 +84,33 @@ function factorTable(find, rows) {
       times(whole / ours),
       ...['analyse', 'numeric', 'solve 1', 'solve 3'].map((metric) => milliseconds(value(metric))),
       digits(value('nnz(L)')),
+      digits(value('flops') / value('numeric') / 1e6),
       shown(value('peak memory'), 'MB'),
     ];
   });
   return table([...head, 'peak memory'], lines);
+}
+
+/** Where a factor wins and where conjugate gradients do, and what was chosen. Items are `t = …, who`. */
+function iterativeTable(rows) {
+  const lines = [...groupBy(rows, ({ n, item }) => `${n}\t${item.split(', ')[0]}`)].map(([key, cells]) => {
+    const value = (who, metric) =>
+      cells.find((cell) => cell.item.endsWith(`, ${who}`) && cell.metric === metric)?.value;
+    const steps = ['factor', 'conjugate gradients', 'automatic'].flatMap((who) =>
+      ['first step', 'next step'].map((metric) => milliseconds(value(who, metric))),
+    );
+    const chosen = value('automatic', 'iterations') > 0 ? 'conjugate gradients' : 'factor';
+    return [...key.split('\t'), ...steps, value('conjugate gradients', 'iterations'), chosen];
+  });
+  const head = [
+    'factor: first step',
+    'next',
+    'conjugate gradients: first step',
+    'next',
+    'automatic: first step',
+    'next',
+  ];
+  return table(['vertices', 'time', ...head, 'iterations', 'chosen'], lines);
 }
 
 /** The slope of log y over log x, by least squares. */
@@ -118,9 +152,9 @@ const provenance = ({ date, commit, minutes }) =>
   `${date.slice(0, 10)}, commit ${commit}${minutes === undefined ? '' : `, ${digits(minutes)} minutes`}`;
 
 const machineLines = ({ native, browser }) => {
-  const { processor, cores, memory, compiler, flags, libraries } = native.machine;
+  const { processor, cores, memory, compiler, flags, kernels, libraries } = native.machine;
   return [
-    `- Native: ${provenance(native)}; ${compiler}, \`${flags}\`; ${libraries.join('; ')}`,
+    `- Native: ${provenance(native)}; ${compiler}, \`${flags}\`, kernels: ${kernels}; ${libraries.join('; ')}`,
     ...(browser ? [`- Browser: ${provenance(browser)}${browser.engine ? `; ${browser.engine}` : ''}`] : []),
     `- Machine: ${processor}, ${cores} cores, ${memory} GB; everything on one thread`,
   ].join('\n');
@@ -136,6 +170,9 @@ const titles = {
   eigenpairs: 'Eigenpairs',
 };
 
+/** Groups that have a table of their own. */
+const tables = { iterative: iterativeTable };
+
 /** RESULTS.md. @param results what tests/bench/results.json holds */
 export function resultsMarkdown(results) {
   const find = lookUp(results);
@@ -144,7 +181,7 @@ export function resultsMarkdown(results) {
   const details = Object.entries(titles)
     .map(([group, title]) => [title, rows.filter((item) => item.group === group)])
     .filter(([, cells]) => cells.length > 0)
-    .map(([title, cells]) => `## ${title}\n\n${pivot(cells)}`);
+    .map(([title, cells]) => `## ${title}\n\n${(tables[cells[0].group] ?? pivot)(cells)}`);
   const factors = [...groupBy(factor, ({ shape }) => shape)].map(
     ([shape, cells]) => `## Factor: ${shape}\n\n${factorTable(find, cells)}`,
   );

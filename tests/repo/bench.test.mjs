@@ -43,9 +43,17 @@ it('makes a table from a small run', () => {
     row(item, 'analyse', analyse),
     row(item, 'numeric', numeric),
   ]);
-  const machine = { processor: 'P', cores: 2, memory: 8, compiler: 'C', flags: '-O3', libraries: ['L 1'] };
+  const machine = {
+    processor: 'P',
+    cores: 2,
+    memory: 8,
+    compiler: 'C',
+    flags: '-O3',
+    kernels: 'K',
+    libraries: ['L 1'],
+  };
   const text = resultsMarkdown({ native: { date: '2026-01-02T03:04:05Z', commit: 'abc', machine, rows } });
-  expect(text).toContain('- Native: 2026-01-02, commit abc; C, `-O3`; L 1\n');
+  expect(text).toContain('- Native: 2026-01-02, commit abc; C, `-O3`, kernels: K; L 1\n');
   expect(text).toMatch(
     /Eigen LDLT with AMD \|.*\| 100k from scratch 4\.50×; 100k numbers 5\.00×; 250k .* not measured/,
   );

@@ -55,8 +55,8 @@ void write_json(const std::vector<Row>& rows, std::ostream& out) {
     out << "{\n  \"machine\": {\n    \"processor\": " << quoted(look_up("/proc/cpuinfo", "model name"))
         << ",\n    \"cores\": " << std::thread::hardware_concurrency()
         << ",\n    \"memory\": " << std::lround(memory_gb()) << ",\n    \"compiler\": " << quoted(compiler())
-        << ",\n    \"flags\": " << quoted(POLYLAP_BENCH_FLAGS) << ",\n    \"libraries\": [" << libraries
-        << "]\n  },\n  \"rows\": [";
+        << ",\n    \"flags\": " << quoted(POLYLAP_BENCH_FLAGS) << ",\n    \"kernels\": " << quoted(kernels_name())
+        << ",\n    \"libraries\": [" << libraries << "]\n  },\n  \"rows\": [";
     out.precision(6);
     const char* separator = "\n";
     for (const Row& row : rows) {

@@ -8,6 +8,9 @@
 #include <Eigen/SparseCholesky>
 
 #include "polylap/solve/spd_factor.hpp"
+#include "solve/dense/kernels.hpp"
+#include "solve/supernodal/numeric.hpp"
+#include "solve/supernodal/symbolic.hpp"
 
 extern "C" char* openblas_get_config(void);
 
@@ -72,7 +75,21 @@ void run_polylap(const System& system, Record& record) {
     opened(record.time("analyse", [&] { return factor.analyse(system.a, system.positions); }));
     opened(record.time("numeric", [&] { return factor.factor(system.a); }));
     record.add("nnz(L)", "", static_cast<double>(factor.analysis()->factor_entries()));
+    record.add("flops", "", factor.analysis()->factor_flops());
     measure_solve(system, record, [&](const Matrix& b) { return opened(factor.solve(b)); });
+}
+
+void run_polylap_baseline(const System& system, Record& record) {
+    const Symbolic symbolic =
+        opened(record.time("analyse", [&] { return analyse_pattern(system.a, system.positions, {}); }));
+    Numeric numeric(*dense::kernels().back());
+    opened(record.time("numeric", [&] { return numeric.factor(symbolic, system.a, {}); }));
+    record.add("nnz(L)", "", static_cast<double>(symbolic.entries));
+    measure_solve(system, record, [&](const Matrix& b) { return numeric.solve(symbolic, b); });
+}
+
+std::string kernels_name() {
+    return dense::kernels().front()->name;
 }
 
 void run_eigen_ldlt(const System& system, Ordering ordering, Record& record) {

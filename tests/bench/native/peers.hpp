@@ -19,9 +19,13 @@ struct System {
 enum class Ordering : std::uint8_t { amd, metis };
 
 void run_polylap(const System& system, Record& record);
+/// With the kernels that any processor of this kind can run, whatever its extensions.
+void run_polylap_baseline(const System& system, Record& record);
 void run_eigen_ldlt(const System& system, Ordering ordering, Record& record);
 void run_cholmod(const System& system, Ordering ordering, bool supernodal, Record& record);
 
+/// The instruction set that polylap's kernels use here.
+std::string kernels_name();
 /// E.g. "CHOLMOD 3.0.14".
 std::vector<std::string> peer_versions();
 

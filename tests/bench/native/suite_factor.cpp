@@ -34,6 +34,8 @@ void run_factor(Bench& bench) {
             if (first || !large) add_eigen("Eigen LDLT, AMD", Ordering::amd);
             add_cholmod("CHOLMOD supernodal, AMD", Ordering::amd, true);
             if (first) {
+                contenders.push_back({"polylap, baseline kernels",
+                                      [&](Record& record) { run_polylap_baseline(system, record); }, rounds, small});
                 add_eigen("Eigen LDLT, METIS", Ordering::metis);
                 add_cholmod("CHOLMOD simplicial, AMD", Ordering::amd, false);
                 add_cholmod("CHOLMOD supernodal, METIS", Ordering::metis, true);

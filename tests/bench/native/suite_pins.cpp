@@ -42,7 +42,8 @@ void eliminate(const PolygonMesh& mesh, const SparseMatrix& stiffness, Record& r
     const auto ten = std::span(pins).first(10);
     const auto solve = [&](const char* metric, std::span<const Index> fixed) {
         return record.time(metric, [&] {
-            auto problem = opened(DirichletProblem::create(stiffness, fixed));
+            auto problem =
+                opened(DirichletProblem::create(stiffness, fixed, Structure::positive_semidefinite, mesh.positions()));
             opened(problem.solve(heights(mesh, fixed, 1)));
             return problem;
         });
