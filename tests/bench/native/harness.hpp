@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <ostream>
@@ -31,15 +32,14 @@ public:
         add(metric, "ms", cpu_ms() - start);
         return outcome;
     }
-    /// The same `rounds` times; the quickest counts.
-    template <class Work>
-    void quickest(const char* metric, int rounds, Work&& work) {
-        double best = 0;
-        for (int round = 0; round < rounds; ++round) {
+    /// Runs `work` on each; the quickest counts.
+    template <class Range, class Work>
+    void quickest(const char* metric, const Range& range, Work&& work) {
+        double best = std::numeric_limits<double>::infinity();
+        for (const auto& each : range) {
             const double start = cpu_ms();
-            const auto outcome = work();
-            const double spent = cpu_ms() - start;
-            if (round == 0 || spent < best) best = spent;
+            work(each);
+            best = std::min(best, cpu_ms() - start);
         }
         add(metric, "ms", best);
     }
