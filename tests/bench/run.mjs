@@ -38,7 +38,7 @@ const parts = {
     await run(path('build/bench/tests/bench/polylap_bench'), ['--json', json, ...limits], { env });
   },
   async browser(json) {
-    await run(process.execPath, [path('tests/bench/browser/run.mjs'), json]);
+    await run(process.execPath, [path('tests/bench/browser/run.mjs'), json, ...limits]);
   },
 };
 

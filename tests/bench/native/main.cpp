@@ -34,6 +34,7 @@ int main(int count, char** arguments) {
     run_assembly(bench);
     run_loading(bench);
     run_steps(bench);
+    run_iterative(bench);
     run_pins(bench);
     run_factor(bench);
     if (json.empty()) return 0;

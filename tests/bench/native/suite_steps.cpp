@@ -32,8 +32,7 @@ void smooth_by_parts(const PolygonMesh& mesh, double time, Record& record) {
 void smooth(const PolygonMesh& mesh, double time, Record& record) {
     const Points moved = record.time("total", [&] {
         const OperatorMatrices matrices = build(mesh);
-        ImplicitSmoother smoother =
-            opened(ImplicitSmoother::create(matrices, time, {.positions = &mesh.positions()}));
+        ImplicitSmoother smoother = opened(ImplicitSmoother::create(matrices, time, {.positions = &mesh.positions()}));
         return opened(smoother.step(mesh.positions()));
     });
     require(moved.allFinite(), "smoothing gave no positions");

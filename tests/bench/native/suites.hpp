@@ -12,6 +12,8 @@ void run_loading(Bench& bench);
 void run_factor(Bench& bench);
 /// What people wait for: a smoothing step, a harmonic function, eigenpairs.
 void run_steps(Bench& bench);
+/// Smoothing by a factor, by conjugate gradients, and by what the library chooses, over the time of a step.
+void run_iterative(Bench& bench);
 /// Pins that come and go, against elimination.
 void run_pins(Bench& bench);
 
