@@ -163,6 +163,83 @@ TEST(SpdFactor, TheScaleDoesNotMatter) {
     }
 }
 
+/// A mesh large enough for several ticks of the analysis and of the factorisation.
+SparseMatrix large_system(Points& positions) {
+    const auto torus = get(make_torus(140, 120));
+    positions = torus.positions();
+    return system_on(torus, 1);
+}
+
+TEST(SpdFactor, TellsItsProgressAndStopsAtEachTick) {
+    Points positions;
+    const SparseMatrix a = large_system(positions);
+    const auto run = [&](SpdFactor& factor, Monitor monitor) -> Status {
+        Stretch analysing{monitor, 0, 0.5};
+        if (Status status = factor.analyse(a, positions, analysing.monitor()); !status) return status;
+        Stretch factoring{monitor, 0.5, 1};
+        return factor.factor(a, factoring.monitor());
+    };
+    Ticks all;
+    SpdFactor whole;
+    check(run(whole, all.monitor()));
+    EXPECT_TRUE(all.rise());
+    EXPECT_GE(all.fractions.size(), 10U);
+    for (std::size_t stop = 1; stop <= all.fractions.size(); ++stop) {
+        Ticks some;
+        some.stop_at = stop;
+        SpdFactor factor;
+        const Status status = run(factor, some.monitor());
+        ASSERT_FALSE(status.ok()) << stop;
+        EXPECT_EQ(status.error().code, ErrorCode::cancelled);
+        EXPECT_EQ(some.fractions.size(), stop) << "it went on";
+        EXPECT_FALSE(factor.solve(Matrix::Ones(a.rows(), 1)).ok());
+        if (stop % 4 != 0) continue;
+        check(run(factor, {}));
+        expect_solves(factor, a, 1);
+    }
+}
+
+TEST(SpdFactor, SharesAnAnalysis) {
+    Points positions;
+    const SparseMatrix a = large_system(positions);
+    const auto analysis = get(SpdAnalysis::create(a, positions));
+    EXPECT_EQ(analysis->size(), a.rows());
+    EXPECT_TRUE(analysis->fits(a));
+    EXPECT_GT(analysis->factor_entries(), a.nonZeros() / 2);
+    EXPECT_GT(analysis->factor_flops(), static_cast<double>(analysis->factor_entries()));
+    SpdFactor one;
+    SpdFactor other;
+    one.use(analysis);
+    other.use(analysis);
+    const SparseMatrix b = 3 * a;
+    check(one.factor(a));
+    check(other.factor(b));
+    EXPECT_EQ(one.analysis(), other.analysis()) << "neither needed another";
+    expect_solves(one, a, 3);
+    expect_solves(other, b, 3);
+    check(one.factor(b));
+    EXPECT_EQ(get(one.solve(Matrix::Ones(a.rows(), 1))), get(other.solve(Matrix::Ones(a.rows(), 1))));
+}
+
+TEST(SpdFactor, NamesTheRowInALargeMatrix) {
+    Points positions;
+    SparseMatrix a = large_system(positions);
+    SpdFactor factor;
+    check(factor.analyse(a, positions));
+    for (const Index row : {0, 7001, static_cast<Index>(a.rows()) - 1}) {
+        const double kept = a.coeff(row, row);
+        a.coeffRef(row, row) = -kept;
+        const Status status = factor.factor(a);
+        ASSERT_FALSE(status.ok());
+        EXPECT_EQ(status.error().code, ErrorCode::not_positive_definite);
+        EXPECT_EQ(status.error().element, row) << "what goes before is positive definite";
+        EXPECT_NE(status.error().message.find(std::to_string(row)), std::string::npos);
+        a.coeffRef(row, row) = kept;
+    }
+    check(factor.factor(a));
+    expect_solves(factor, a, 1);
+}
+
 TEST(SpdFactor, Moves) {
     const SparseMatrix a = sparse(Matrix::Identity(3, 3) * 5);
     SpdFactor first;

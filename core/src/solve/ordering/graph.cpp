@@ -42,4 +42,27 @@ Graph::Graph(const SparseMatrix& a) {
     });
 }
 
+std::vector<Index> Graph::induce(const Graph& whole, std::span<const Index> vertices, std::vector<Index>& local) {
+    std::vector<Index> global(vertices.begin(), vertices.end());
+    for (std::size_t k = 0; k < vertices.size(); ++k)
+        local[static_cast<std::size_t>(vertices[k])] = static_cast<Index>(k);
+    start.assign(1, 0);
+    neighbours.clear();
+    for (const Index v : vertices) {
+        for (const Index u : whole.around(v)) {
+            Index& number = local[static_cast<std::size_t>(u)];
+            if (number < 0) {
+                number = static_cast<Index>(global.size());
+                global.push_back(u);
+            }
+            neighbours.push_back(number);
+        }
+        start.push_back(static_cast<Index>(neighbours.size()));
+    }
+    start.resize(global.size() + 1, start.back());
+    for (const Index v : global)
+        local[static_cast<std::size_t>(v)] = -1;
+    return global;
+}
+
 }  // namespace polylap

@@ -17,12 +17,23 @@ namespace polylap {
 namespace {
 
 /// Parts of up to as many vertices are ordered by minimum degree; measured.
-constexpr std::size_t leaf_size = 120;
+constexpr std::size_t leaf_size = 200;
+
+/// Parts of up to as many vertices are copied into a graph of their own, whose data lie together in the cache.
+constexpr std::size_t compact_size = 8192;
+
+/// Separators of a patch of a surface have up to √n vertices. Wider ones may come from a bend that no plane follows, or
+/// from positions that say little of the graph: distances get their chance then.
+constexpr double suspicious_width = 1.3;
 
 class Dissection {
 public:
     Dissection(const Graph& graph, const Points& positions, const Monitor& monitor)
-        : graph_(graph), splitter_(graph, positions), minimum_degree_(graph), monitor_(monitor) {}
+        : graph_(graph),
+          positions_(positions),
+          monitor_(monitor),
+          splitter_(graph, positions),
+          minimum_degree_(graph) {}
 
     /// @return false when cancelled
     bool order(std::span<Index> vertices) {
@@ -30,9 +41,21 @@ public:
             minimum_degree_.order(vertices);
             return proceed(vertices.size());
         }
+        if (vertices.size() <= compact_size && static_cast<std::size_t>(graph_.size()) > 2 * compact_size) {
+            return order_compact(vertices);
+        }
         splitter_.mark(vertices);
-        const std::size_t connected = splitter_.reach(vertices.front()).size();
-        return connected == vertices.size() ? dissect(vertices) : order_components(vertices);
+        Splitter::Sizes sizes;
+        if (positions_.rows() > 0) {
+            sizes = splitter_.split_by_position(vertices);
+            const double width = suspicious_width * std::sqrt(static_cast<double>(vertices.size()));
+            if (sizes.useful() && sizes.separator < width) return dissect(vertices, sizes);
+        }
+        if (splitter_.reach(vertices.front()).size() != vertices.size()) return order_components(vertices);
+        sizes = splitter_.split_by_distance(vertices, sizes);
+        if (sizes.useful()) return dissect(vertices, sizes);
+        order_by_amd(graph_, vertices);
+        return proceed(vertices.size());
     }
 
 private:
@@ -58,14 +81,26 @@ private:
         return true;
     }
 
-    bool dissect(std::span<Index> vertices) {
-        const auto sizes = splitter_.split(vertices);
-        // Where no small separator exists (random graphs, cliques), dissection gains nothing.
-        const auto n = static_cast<double>(vertices.size());
-        if (sizes.separator > 0.25 * n || std::max(sizes.first, sizes.second) > 0.9 * n) {
-            order_by_amd(graph_, vertices);
-            return proceed(vertices.size());
+    bool order_compact(std::span<Index> vertices) {
+        if (local_.empty()) local_.assign(static_cast<std::size_t>(graph_.size()), -1);
+        Graph graph;
+        const std::vector<Index> global = graph.induce(graph_, vertices, local_);
+        Points positions(positions_.rows() > 0 ? static_cast<Eigen::Index>(vertices.size()) : 0, 3);
+        for (Eigen::Index k = 0; k < positions.rows(); ++k) {
+            positions.row(k) = positions_.row(vertices[static_cast<std::size_t>(k)]);
         }
+        Stretch stretch{monitor_, fraction(done_), fraction(done_ + vertices.size())};
+        const Monitor monitor = stretch.monitor();
+        std::vector<Index> order(vertices.size());
+        std::iota(order.begin(), order.end(), 0);
+        if (!Dissection(graph, positions, monitor).order(order)) return false;
+        for (std::size_t k = 0; k < order.size(); ++k) {
+            vertices[k] = global[static_cast<std::size_t>(order[k])];
+        }
+        return proceed(vertices.size());
+    }
+
+    bool dissect(std::span<Index> vertices, const Splitter::Sizes& sizes) {
         scratch_.assign(vertices.begin(), vertices.end());
         auto first = vertices.begin();
         auto second = first + sizes.first;
@@ -84,14 +119,18 @@ private:
         done_ += ordered;
         if (done_ - told_ < 4096) return true;
         told_ = done_;
-        return monitor_.proceed(static_cast<double>(done_) / graph_.size());
+        return monitor_.proceed(fraction(done_));
+    }
+    double fraction(std::size_t ordered) const {
+        return std::min(1.0, static_cast<double>(ordered) / static_cast<double>(graph_.size()));
     }
 
     const Graph& graph_;
+    const Points& positions_;
+    const Monitor& monitor_;
     Splitter splitter_;
     MinimumDegree minimum_degree_;
-    std::vector<Index> scratch_;
-    const Monitor& monitor_;
+    std::vector<Index> scratch_, local_;
     std::size_t done_ = 0, told_ = 0;
 };
 
@@ -104,7 +143,11 @@ std::vector<Index> fill_reducing_order(const Graph& graph, const Points& positio
     const double dense = std::max(16.0, 10 * std::sqrt(static_cast<double>(graph.size())));
     const auto end = std::stable_partition(
         order.begin(), order.end(), [&](Index v) { return static_cast<double>(graph.around(v).size()) <= dense; });
-    Dissection dissection(graph, positions, monitor);
+    // Squares of larger ones would overflow; with others than numbers there is no middle.
+    constexpr double farthest = 1e100;
+    const bool usable = (positions.array().abs() <= farthest).all();
+    const Points none(0, 3);
+    Dissection dissection(graph, usable ? positions : none, monitor);
     if (!dissection.order(std::span(order).first(static_cast<std::size_t>(end - order.begin())))) return {};
     return order;
 }

@@ -1,6 +1,7 @@
-// Vertex separators. A region is cut in two halves by a plane through its middle, in whichever of a few directions cuts
-// fewest edges (George, Nested dissection of a regular finite element mesh, 1973, without the grid), or by the distance
-// from a vertex at its rim (George & Liu, 1979, for the vertex). The shorter shore of the cut is a first separator.
+// Vertex separators. A region is cut in two halves by a plane through its middle, in whichever of a few directions
+// parts fewest neighbours; the shorter shore of the cut is a first separator. Where positions do not help, distances in
+// the graph from three vertices far apart are the coordinates: Harel & Koren, Graph drawing by high-dimensional
+// embedding, 2002.
 
 #include "solve/ordering/separator.hpp"
 
@@ -25,7 +26,7 @@ Splitter::Splitter(const Graph& graph, const Points& positions)
       region_(at(graph.size()), 0),
       side_(at(graph.size()), Side::first),
       visited_(at(graph.size()), 0),
-      key_(at(graph.size())),
+      distance_(at(graph.size())),
       next_(2 * at(graph.size())),
       previous_(2 * at(graph.size())),
       gain_(2 * at(graph.size())),
@@ -45,103 +46,137 @@ std::span<const Index> Splitter::reach(Index v) {
     ++visit_;
     queue_.assign(1, v);
     visited_[at(v)] = visit_;
+    distance_[at(v)] = 0;
     for (std::size_t k = 0; k < queue_.size(); ++k) {
+        const Index next = distance_[at(queue_[k])] + 1;
         for (const Index u : graph_.around(queue_[k])) {
             if (!inside(u) || visited_[at(u)] == visit_) continue;
             visited_[at(u)] = visit_;
+            distance_[at(u)] = next;
             queue_.push_back(u);
         }
     }
     return queue_;
 }
 
-Splitter::Sizes Splitter::split(std::span<const Index> region) {
-    if (positions_.rows() == 0) return split_by_distance(region);
-    const Sizes by_position = split_by_position(region);
-    // A patch of a surface has separators of √n vertices, a tube of two or three times that.
-    constexpr double suspicious = 3;
-    if (by_position.separator <= suspicious * std::sqrt(static_cast<double>(region.size()))) return by_position;
-    std::vector<Side> kept;
-    for (const Index v : region)
-        kept.push_back(side_[at(v)]);
-    const Sizes by_distance = split_by_distance(region);
-    if (by_distance.separator < by_position.separator) return by_distance;
-    for (std::size_t k = 0; k < region.size(); ++k)
-        side_[at(region[k])] = kept[k];
-    return by_position;
+Splitter::Sizes Splitter::split_by_position(std::span<const Index> region) {
+    return split_by_plane(region, positions_);
 }
 
-/// How many of a sample's vertices see the other side of the middle.
-double Splitter::estimate_cut(std::span<const Index> region, const Vector3& direction) {
-    const auto key = [&](Index v) { return positions_.row(v).dot(direction); };
-    const auto n = static_cast<double>(region.size());
-    const auto step = static_cast<std::size_t>(std::max(1.0, std::sqrt(n) / 20));
-    keys_.clear();
-    for (std::size_t k = 0; k < region.size(); k += step)
-        keys_.push_back(key(region[k]));
-    const auto middle = keys_.begin() + static_cast<std::ptrdiff_t>(keys_.size() / 2);
-    std::nth_element(keys_.begin(), middle, keys_.end());
-    const double limit = *middle;
-    std::array<Index, 2> shore{};
-    std::array<Index, 2> count{};
-    for (std::size_t k = 0; k < region.size(); k += step) {
-        const bool low = key(region[k]) < limit;
-        ++count[low ? 0 : 1];
+Splitter::Sizes Splitter::split_by_distance(std::span<const Index> region, const Sizes& known) {
+    if (coordinates_.rows() == 0) {
+        coordinates_.resize(graph_.size(), 3);
+        nearest_.resize(region_.size());
+    }
+    kept_.clear();
+    for (const Index v : region)
+        kept_.push_back(side_[at(v)]);
+    Index pivot = reach(region.front()).back();
+    for (int axis = 0; axis < 3; ++axis) {
+        Index farthest = pivot;
+        for (const Index v : reach(pivot)) {
+            const Index distance = distance_[at(v)];
+            coordinates_(v, axis) = distance;
+            nearest_[at(v)] = axis == 0 ? distance : std::min(nearest_[at(v)], distance);
+            if (nearest_[at(v)] > nearest_[at(farthest)]) farthest = v;
+        }
+        pivot = farthest;
+    }
+    const Sizes sizes = split_by_plane(region, coordinates_);
+    if (!known.useful() || (sizes.useful() && sizes.separator < known.separator)) return sizes;
+    for (std::size_t k = 0; k < region.size(); ++k)
+        side_[at(region[k])] = kept_[k];
+    return known;
+}
+
+Splitter::Sizes Splitter::split_by_plane(std::span<const Index> region, const Points& positions) {
+    sample(region, positions);
+    const Plane plane = find_plane();
+    for (const Index v : region) {
+        side_[at(v)] = positions.row(v).dot(plane.normal) < plane.offset ? Side::first : Side::second;
+    }
+    return separate(region);
+}
+
+/// Some vertices and their neighbours, as many at any size that a good cut meets a few dozen of them.
+void Splitter::sample(std::span<const Index> region, const Points& positions) {
+    constexpr double density = 20;  // of √n vertices a cut has; measured: fewer cost fill
+    const double step = std::max(1.0, std::sqrt(static_cast<double>(region.size())) / density);
+    const auto spread = static_cast<std::uint32_t>(2 * step - 1);
+    std::uint32_t random = 1;  // any fixed sequence; a regular step would follow the rows of a grid
+    const auto draw = [&random] { return (random = random * 1664525u + 1013904223u) >> 8; };
+    sampled_.clear();
+    stars_.clear();
+    for (std::size_t k = 0; k < region.size(); k += 1 + draw() % spread) {
+        stars_.push_back(sampled_.size());
+        sampled_.push_back(positions.row(region[k]));
         for (const Index u : graph_.around(region[k])) {
-            if (!inside(u) || (key(u) < limit) == low) continue;
-            ++shore[low ? 0 : 1];
-            break;
+            if (inside(u)) sampled_.push_back(positions.row(u));
         }
     }
-    if (count[0] == 0) return std::numeric_limits<double>::max();
-    return std::min(shore[0], shore[1]);
+    stars_.push_back(sampled_.size());
 }
 
-Splitter::Sizes Splitter::split_by_position(std::span<const Index> region) {
+double Splitter::median(const Vector3& normal, std::size_t step) {
+    keys_.clear();
+    for (std::size_t k = 0; k + 1 < stars_.size(); k += step)
+        keys_.push_back(sampled_[stars_[k]].dot(normal));
+    const auto middle = keys_.begin() + static_cast<std::ptrdiff_t>(keys_.size() / 2);
+    std::nth_element(keys_.begin(), middle, keys_.end());
+    return *middle;
+}
+
+/// How many of the sample a plane through its middle, or nearly so, parts from a neighbour.
+std::size_t Splitter::count_parted(const Vector3& normal) {
+    const double offset = median(normal, 1 + stars_.size() / 512);
+    keys_.clear();
+    for (const Vector3& x : sampled_)
+        keys_.push_back(x.dot(normal));
+    std::size_t parted = 0;
+    for (std::size_t k = 0; k + 1 < stars_.size(); ++k) {
+        const bool low = keys_[stars_[k]] < offset;
+        bool other = false;
+        for (std::size_t i = stars_[k] + 1; i < stars_[k + 1]; ++i)
+            other |= (keys_[i] < offset) != low;
+        parted += other ? 1 : 0;
+    }
+    return parted;
+}
+
+Splitter::Plane Splitter::find_plane() {
+    const double count = static_cast<double>(stars_.size() - 1);
     Vector3 centre = Vector3::Zero();
-    for (const Index v : region)
-        centre += positions_.row(v).transpose();
-    centre /= static_cast<double>(region.size());
+    for (std::size_t k = 0; k + 1 < stars_.size(); ++k)
+        centre += sampled_[stars_[k]] / count;
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-    for (const Index v : region) {
-        const Vector3 x = positions_.row(v).transpose() - centre;
+    for (std::size_t k = 0; k + 1 < stars_.size(); ++k) {
+        const Vector3 x = sampled_[stars_[k]] - centre;
         spread += x * x.transpose();
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
     const Vector3 longest = solver.eigenvectors().col(2);
     const Vector3 second = solver.eigenvectors().col(1);
-    const std::array<Vector3, 7> directions{longest,          second,           longest + second, longest - second,
-                                            Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()};
-    const Vector3* best = nullptr;
-    double least = std::numeric_limits<double>::infinity();
-    for (const Vector3& direction : directions) {
-        const double cut = estimate_cut(region, direction);
-        if (cut >= least) continue;
-        least = cut;
-        best = &direction;
+    const Vector3 thinnest = solver.eigenvectors().col(0);
+    Plane best;
+    auto least = std::numeric_limits<std::size_t>::max();
+    const auto consider = [&](const Vector3& normal) {
+        const std::size_t parted = count_parted(normal);
+        if (parted == 0 || parted >= least) return;
+        least = parted;
+        best.normal = normal;
+    };
+    consider(longest);
+    consider(second);
+    consider(longest + second);
+    consider(longest - second);
+    for (int k = 0; k < 3; ++k) {  // many meshes follow the axes
+        const Vector3 axis = Vector3::Unit(k);
+        const bool known = std::max(std::abs(axis.dot(longest)), std::abs(axis.dot(second))) > 0.98;
+        const bool across = std::abs(axis.dot(thinnest)) > 0.9;
+        if (!known && !across) consider(axis);
     }
-    const Vector3 direction = best == nullptr ? longest : *best;
-    keys_.clear();
-    for (const Index v : region) {
-        key_[at(v)] = positions_.row(v).dot(direction);
-        keys_.push_back(key_[at(v)]);
-    }
-    const auto middle = keys_.begin() + static_cast<std::ptrdiff_t>(keys_.size() / 2);
-    std::nth_element(keys_.begin(), middle, keys_.end());
-    for (const Index v : region)
-        side_[at(v)] = key_[at(v)] < *middle ? Side::first : Side::second;
-    return separate(region);
-}
-
-Splitter::Sizes Splitter::split_by_distance(std::span<const Index> region) {
-    Index rim = region.front();
-    for (int round = 0; round < 2; ++round)
-        rim = reach(rim).back();
-    const auto order = reach(rim);
-    for (std::size_t k = 0; k < order.size(); ++k) {
-        side_[at(order[k])] = k < order.size() / 2 ? Side::first : Side::second;
-    }
-    return separate(region);
+    best.offset = median(best.normal, 1);
+    return best;
 }
 
 Splitter::Sizes Splitter::separate(std::span<const Index> region) {
