@@ -155,7 +155,7 @@ const machineLines = ({ native, browser }) => {
   const { processor, cores, memory, compiler, flags, kernels, libraries } = native.machine;
   return [
     `- Native: ${provenance(native)}; ${compiler}, \`${flags}\`, kernels: ${kernels}; ${libraries.join('; ')}`,
-    ...(browser ? [`- Browser: ${provenance(browser)}${browser.engine ? `; ${browser.engine}` : ''}`] : []),
+    ...(browser ? [`- Browser: ${provenance(browser)}${browser.machine ? `; ${browser.machine.browser}` : ''}`] : []),
     `- Machine: ${processor}, ${cores} cores, ${memory} GB; everything on one thread`,
   ].join('\n');
 };
@@ -200,8 +200,8 @@ export function resultsMarkdown(results) {
 ${machineLines(results)}
 
 Times are CPU time, the least of a few rounds; contenders take turns within a round, each in a process of its own, whose growth is its peak memory. All factor \`M + tS\` of the Alexa–Wardetzky operator, \`t\` the
-mean squared edge; every solution is checked by its residual before its time counts. The peers are linked into the benchmark alone. OpenBLAS chooses its kernels by the processor; everything else is compiled with the
-flags above.
+mean squared edge; every solution is checked by its residual before its time counts. The peers are linked into the benchmark alone. OpenBLAS and polylap choose their
+kernels by the processor; everything else, and polylap with its baseline kernels, is compiled with the flags above.
 
 ## Targets
 
