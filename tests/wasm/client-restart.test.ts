@@ -36,6 +36,20 @@ describe('a worker that dies', () => {
     expect(workers().length).toBe(3);
   });
 
+  it('is replaced when it ran out of memory, which it could not give back', async () => {
+    const c = await start();
+    const mesh = await c.make(torus);
+    await mesh.smooth(aw, { time: 0.01 });
+    // A star, whose matrix would have 20 000² entries.
+    const count = 20_000;
+    const angles = Array.from({ length: count }, (_, k) => (2 * Math.PI * ((k * 7001) % count)) / count);
+    const vertices = angles.map((angle) => `v ${Math.cos(angle)} ${Math.sin(angle)} 0\n`).join('');
+    const star = await c.open(`${vertices}f ${angles.map((_, k) => k + 1).join(' ')}\n`, 'star.obj');
+    expect((await failure(star.matrices(aw))).code).toBe('out-of-memory');
+    expect((await mesh.smooth(aw, { time: 0.01 })).step).toBe(2);
+    expect([workers('a').length, workers('b').length]).toEqual([2, 1]);
+  });
+
   it('is given up after failing three times at once, with the reason', async () => {
     const made: string[] = [];
     const worker = (side: string) => {

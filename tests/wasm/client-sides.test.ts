@@ -1,6 +1,7 @@
 /** Two workers: what is done on one side does not wait for the other, nor suffer with it. */
 import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
+import { load } from '../../wasm/src/node.js';
 import type { FromWorker } from '../../wasm/src/protocol.js';
 import { aw, big, coordinates, endless, failure, planar, requests, torus, until, useClients } from './client-help.js';
 
@@ -147,19 +148,52 @@ it('brings a mesh anew where what was cancelled too late could not be undone', a
   expect(requests(worker())).toEqual(['open', 'file', 'adopt', 'file']);
 });
 
+const fileOf = (whole: boolean) =>
+  readFileSync(new URL(`../../build/wasm/polylap${whole ? '' : '-core'}.wasm`, import.meta.url));
+
 it('compiles once for both workers, and tries again after it could not be had', async () => {
-  const bytes = readFileSync(new URL('../../build/wasm/polylap.wasm', import.meta.url));
   let compiled = 0;
-  const module = async () => {
+  const module = async (whole: boolean) => {
     if (++compiled === 1) throw new Error('offline');
-    return WebAssembly.compile(bytes);
+    return WebAssembly.compile(fileOf(whole));
   };
   const mesh = await (await start({ module })).make(torus);
   expect((await mesh.weights(planar, { side: 'b' })).negativeOrdered).toBe(0);
   expect(compiled).toBe(2);
-  const modules = (['a', 'b'] as const).map((side) => worker(side).sent[0]);
-  for (const message of modules)
-    expect(message).toMatchObject({ kind: 'start', module: expect.any(WebAssembly.Module) });
+  for (const side of ['a', 'b'] as const)
+    expect(worker(side).sent[0]).toMatchObject({ kind: 'start', module: expect.any(WebAssembly.Module), whole: false });
+});
+
+it('gets the whole core for who asks for what only that can do, and keeps the surfaces', async () => {
+  const asked: boolean[] = [];
+  let online = false;
+  const module = async (whole: boolean) => {
+    asked.push(whole);
+    if (whole && !online) throw new Error('offline');
+    return WebAssembly.compile(fileOf(whole));
+  };
+  const c = await start({ module });
+  const restarts: string[] = [];
+  c.onRestart = (reason) => restarts.push(reason);
+  const mesh = await c.make(torus);
+  await mesh.smooth(aw, { time: 0.01 });
+  expect(await failure(mesh.check(aw))).toMatchObject({ code: 'worker-failed', message: /offline/ });
+  expect((await mesh.smooth(aw, { time: 0.01 })).step).toBe(2);
+  expect(workers('a').length).toBe(1);
+  online = true;
+  const before = await coordinates(mesh);
+  const abort = new AbortController();
+  const unwanted = failure(mesh.check(aw, { signal: abort.signal }));
+  abort.abort();
+  expect((await unwanted).code).toBe('cancelled');
+  const [check] = await Promise.all([mesh.check(aw), mesh.check(aw)]);
+  const session = (await load()).open(before, 'torus.obj');
+  expect(check.measurements).toEqual(session.check(aw).measurements);
+  expect(await coordinates(mesh)).toBe(before);
+  expect((await mesh.smooth(aw, { time: 0.01 })).step).toBe(3);
+  expect(asked.filter(Boolean).length).toBe(2);
+  expect([workers('a').length, workers('b').length]).toEqual([2, 1]);
+  expect(restarts).toEqual([]);
 });
 
 it('gives up the memory of a file, and hands over that of every answer', async () => {

@@ -7,4 +7,4 @@ if (!parentPort) throw new Error('not a worker');
 const thread = parentPort;
 const port: Port = { onmessage: null, postMessage: (message, transfer) => thread.postMessage(message, transfer as []) };
 thread.on('message', (data) => port.onmessage?.({ data } as MessageEvent));
-serve(port, ({ module }) => load({ ...workerData, module }));
+serve(port, (options) => load({ ...workerData, ...options }));

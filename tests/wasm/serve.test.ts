@@ -15,7 +15,7 @@ async function start(loading: () => Promise<Polylap> = load) {
   const port: Port = { onmessage: null, postMessage: (message, transfer) => said.push({ message, transfer }) };
   serve(port, loading);
   const say = (data: ToWorker) => port.onmessage?.({ data } as MessageEvent<ToWorker>);
-  say({ kind: 'start', module: undefined, warmUp: true });
+  say({ kind: 'start', module: undefined, whole: true, warmUp: true });
   await vi.waitUntil(() => said.length > 0);
   let id = 0;
   const ask = async (request: Request): Promise<Said> => {

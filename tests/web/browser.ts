@@ -71,6 +71,8 @@ export interface Visit {
   page: Page;
   /** Console errors and warnings, uncaught errors, requests that failed or left the site. */
   troubles: string[];
+  /** The addresses that were asked of the server. */
+  requests: Set<string>;
   close: () => Promise<void>;
 }
 
@@ -95,13 +97,14 @@ export async function visit(site: Site, options: BrowserContextOptions = {}): Pr
   page.on('response', (response) => {
     if (response.status() >= 400) troubles.push(`${response.status()}: ${response.url()}`);
   });
+  const requests = new Set<string>();
   page.on('request', (request) => {
-    if (!request.url().startsWith(site.url) && !/^(data|blob):/.test(request.url()))
-      troubles.push(`left the site: ${request.url()}`);
+    if (request.url().startsWith(site.url)) requests.add(request.url());
+    else if (!/^(data|blob):/.test(request.url())) troubles.push(`left the site: ${request.url()}`);
   });
   await page.goto(site.url);
   await settled(page);
-  return { page, troubles, close: () => context.close() };
+  return { page, troubles, requests, close: () => context.close() };
 }
 
 /** A site for the tests of a file: there before the first, closed after the last. */

@@ -7,7 +7,8 @@ import { count, exact, real, weight } from '../../web/src/format.js';
 import { latest } from '../../web/src/latest.js';
 import { drawnPairs } from '../../web/src/layout/weights-panel.js';
 import { countFaces, formatOfText } from '../../web/src/mesh-text.js';
-import type { Mesh } from '../../web/src/polylap.js';
+import { explain } from '../../web/src/messages.js';
+import { type Mesh, PolylapError } from '../../web/src/polylap.js';
 import { freshSide } from '../../web/src/results.js';
 import { sparseRow } from '../../web/src/sparse-row.js';
 import { initialState, withPin } from '../../web/src/state.js';
@@ -201,6 +202,11 @@ describe('work that nobody waits for any more', () => {
       vi.useRealTimers();
     }
   });
+});
+
+it('a lack of memory is told with what can be done', () => {
+  expect(explain(new PolylapError('out-of-memory', 'out of memory'))).toMatch(/smaller mesh.*command line/);
+  expect(explain(new PolylapError('parse-error', 'no number', -1, 4))).toBe('Line 4: no number.');
 });
 
 describe('meshes and matrices', () => {

@@ -192,32 +192,12 @@ val matrices(Session& session, Side side, val callback) {
     });
 }
 
-val check(Session& session, Side side, val callback) {
-    return guarded([&]() -> Result<val> {
-        Tick tick(std::move(callback));
-        const auto report = session.check(side, tick.monitor());
-        if (!report) return report.error();
-        return told(**report);
-    });
-}
-
 val dual(Session& session, Side side, double mu, val callback) {
     return guarded([&]() -> Result<val> {
         Tick tick(std::move(callback));
         const auto dual = session.dual(side, {.mu = mu}, tick.monitor());
         if (!dual) return dual.error();
         return told(*dual, session.origin());
-    });
-}
-
-val convergence(const std::string& id, const val& settings, const val& vertex_weights, val callback) {
-    return guarded([&]() -> Result<val> {
-        const auto spec = spec_of(id, settings, vertex_weights);
-        if (!spec) return spec.error();
-        Tick tick(std::move(callback));
-        const auto studies = study_convergence(*spec, tick.monitor());
-        if (!studies) return studies.error();
-        return list(*studies, [](const ConvergenceStudy& study) { return told(study); });
     });
 }
 
@@ -261,7 +241,6 @@ EMSCRIPTEN_BINDINGS(polylap_session) {
         .function("smooth", &smooth)
         .function("harmonic", &harmonic)
         .function("matrices", &matrices)
-        .function("check", &check)
         .function("dual", &dual)
         .function("reset", &reset)
         .function("restore", &restore);
@@ -269,5 +248,4 @@ EMSCRIPTEN_BINDINGS(polylap_session) {
     function("open", &open);
     function("fromArrays", &from_arrays);
     function("make", &make);
-    function("convergence", &convergence);
 }

@@ -30,8 +30,8 @@ export type { WorkerLike } from './queue.js';
 export interface ClientOptions {
   /** Makes the worker that runs worker.ts for a side; called again after a restart. */
   worker: (side: Side) => WorkerLike;
-  /** polylap.wasm, compiled, for all workers; without it each gets it by itself. */
-  module?: () => Promise<WebAssembly.Module>;
+  /** polylap-core.wasm, or the whole polylap.wasm, compiled, for all workers; without it each gets the whole by itself. */
+  module?: (whole: boolean) => Promise<WebAssembly.Module>;
 }
 
 /** @throws PolylapError `worker-failed` when the worker cannot be started */
@@ -87,24 +87,23 @@ class MeshState {
 class WorkerClient implements Client {
   onRestart?: (reason: string, side: Side) => unknown;
   readonly #queues: Readonly<Record<Side, WorkerQueue>>;
-  #module: Promise<WebAssembly.Module | undefined> | undefined;
+  readonly #modules = new Map<boolean, Promise<WebAssembly.Module>>();
   #nextMesh = 0;
 
   constructor({ worker, module: compile }: ClientOptions) {
-    const module = () => {
-      if (!this.#module) {
-        this.#module = compile?.() ?? Promise.resolve(undefined);
-        // What went wrong may go right for the next worker.
-        this.#module.catch(() => {
-          this.#module = undefined;
-        });
-      }
-      return this.#module;
+    const module = async (whole: boolean) => {
+      if (!compile) return undefined;
+      const made = this.#modules.get(whole) ?? compile(whole);
+      this.#modules.set(whole, made);
+      // What went wrong may go right for the next worker.
+      made.catch(() => this.#modules.get(whole) === made && this.#modules.delete(whole));
+      return made;
     };
     const queue = (side: Side) =>
       new WorkerQueue({
         worker: () => worker(side),
         module,
+        whole: !compile,
         // Of one module, machine code is optimised for all its instances.
         warmUp: side === 'a' || !compile,
         onRestart: (reason) => this.onRestart?.(reason, side),
@@ -133,7 +132,11 @@ class WorkerClient implements Client {
   }
 
   async convergence(spec: OperatorSpec, run: Run = {}): Promise<ConvergenceStudy[]> {
-    return this.#queues[this.#freeSide()].call('convergence', { spec: ownOperator(spec) }, { run: runOf(run) });
+    return this.#queues[this.#freeSide()].call(
+      'convergence',
+      { spec: ownOperator(spec) },
+      { run: runOf(run), needsWhole: true },
+    );
   }
 
   close(): void {
@@ -187,7 +190,7 @@ class WorkerClient implements Client {
       call: K,
       takes: Omit<Takes<K>, keyof OnSide>,
       run: SmoothRunOptions,
-      hooks: { commit?: (value: Gives<K>) => unknown; undo?: () => Request } = {},
+      hooks: { commit?: (value: Gives<K>) => unknown; undo?: () => Request; needsWhole?: boolean } = {},
     ) => {
       if (state.closed) throw badArgument('this mesh has been closed');
       const { side = 'a' } = run;
@@ -216,7 +219,7 @@ class WorkerClient implements Client {
       },
       harmonic: async (spec, fixed, run = {}) => ask('harmonic', { spec: ownOperator(spec), fixed }, runOf(run)),
       matrices: async (spec, run = {}) => ask('matrices', { spec: ownOperator(spec) }, runOf(run)),
-      check: async (spec, run = {}) => ask('check', { spec: ownOperator(spec) }, runOf(run)),
+      check: async (spec, run = {}) => ask('check', { spec: ownOperator(spec) }, runOf(run), { needsWhole: true }),
       dual: async (options = {}, run = {}) => ask('dual', { options }, runOf(run)),
       file: async (format, run = {}) => ask('file', { format }, runOf(run)),
       convert: async (conversion, given = {}) => {

@@ -2,7 +2,7 @@
 import { messageOf } from './check.js';
 import { PolylapError } from './error.js';
 
-/** Fetches and compiles polylap.wasm. @throws PolylapError with code `internal` */
+/** Fetches and compiles a file of ours. @throws PolylapError with code `internal` */
 export async function compile(url: URL | string): Promise<WebAssembly.Module> {
   try {
     const response = await fetch(url);

@@ -12,7 +12,12 @@ export * from './types.js';
 export function createClient(options: Partial<ClientOptions> = {}): Promise<Client> {
   return startClient({
     // Here and not in a worker: once for both, and while they start.
-    module: () => compile(new URL('../../build/wasm/polylap.wasm', import.meta.url)),
+    module: (whole) =>
+      compile(
+        whole
+          ? new URL('../../build/wasm/polylap.wasm', import.meta.url)
+          : new URL('../../build/wasm/polylap-core.wasm', import.meta.url),
+      ),
     worker: () => new Worker(new URL('./worker.js', import.meta.url), { type: 'module' }),
     ...options,
   });

@@ -1,11 +1,14 @@
 /** Starts the module, in a browser, a worker or Node. */
-import createModule from '../../build/wasm/polylap.js';
+import createWhole from '../../build/wasm/polylap.js';
+import createCore from '../../build/wasm/polylap-core.js';
 import { notStarted } from './compile.js';
-import type { RawModule } from './raw.js';
+import type { CreateModule, RawModule } from './raw.js';
 import { Polylap } from './session.js';
 
 export interface LoadOptions {
-  /** polylap.wasm, compiled already: instances share its machine code, and what the engine has optimised of it. */
+  /** Everything (default), or only what needs no eigensolvers: polylap-core.wasm, a quarter smaller. */
+  whole?: boolean;
+  /** The file, compiled already: instances share its machine code, and what the engine has optimised of it. */
   module?: WebAssembly.Module | undefined;
   /** The contents of polylap.wasm. Node needs them; elsewhere the file is fetched from beside the module. */
   wasmBinary?: ArrayBuffer | Uint8Array;
@@ -14,11 +17,12 @@ export interface LoadOptions {
 }
 
 /** @throws PolylapError with code `internal` when WebAssembly or its file cannot be had */
-export async function load({ module, wasmBinary, wasmUrl }: LoadOptions = {}): Promise<Polylap> {
+export async function load({ whole = true, module, wasmBinary, wasmUrl }: LoadOptions = {}): Promise<Polylap> {
+  const createModule = whole ? createWhole : createCore;
   try {
     return new Polylap(
       module
-        ? await instantiate(module)
+        ? await instantiate(createModule, module)
         : await createModule({
             ...(wasmBinary && { wasmBinary }),
             ...(wasmUrl !== undefined && { locateFile: () => wasmUrl }),
@@ -30,7 +34,7 @@ export async function load({ module, wasmBinary, wasmUrl }: LoadOptions = {}): P
 }
 
 /** Emscripten's loader would wait for ever for an instance that cannot be made. */
-function instantiate(module: WebAssembly.Module): Promise<RawModule> {
+function instantiate(createModule: CreateModule, module: WebAssembly.Module): Promise<RawModule> {
   return new Promise((resolve, reject) => {
     const instantiateWasm = (
       imports: WebAssembly.Imports,

@@ -69,8 +69,8 @@ export type RequestOf<K extends CallName> = { [C in K]: { call: C; takes: Takes<
 export type Request = RequestOf<CallName>;
 
 export type ToWorker =
-  /** First of all; without a module the worker gets it by itself. */
-  | { kind: 'start'; module: WebAssembly.Module | undefined; warmUp: boolean }
+  /** First of all; without a module the worker gets it by itself. Whole: with what `check` and `convergence` need. */
+  | { kind: 'start'; module: WebAssembly.Module | undefined; whole: boolean; warmUp: boolean }
   | { kind: 'request'; id: number; request: Request }
   | { kind: 'cancel'; id: number };
 

@@ -33,6 +33,8 @@ interface Hooks<K extends CallName> {
   subject?: Subject;
   /** The request is void where the subject is not in the worker. */
   onlyIfThere?: boolean;
+  /** The request is for what only the whole core can do. */
+  needsWhole?: boolean;
   run?: SmoothRunOptions;
   /** Memory in the arguments that the client gives up. */
   transfer?: Transferable[];
@@ -46,7 +48,9 @@ export interface QueueOptions {
   /** Makes the worker that runs worker.ts; called again after a restart. */
   worker: () => WorkerLike;
   /** The core, compiled once for all workers; undefined: the worker is to get it by itself. */
-  module: () => Promise<WebAssembly.Module | undefined>;
+  module: (whole: boolean) => Promise<WebAssembly.Module | undefined>;
+  /** Whether to begin with the whole core. */
+  whole: boolean;
   /** Whether the worker is to warm the solver up. */
   warmUp: boolean;
   onRestart: (reason: string) => void;
@@ -58,8 +62,10 @@ interface Job {
   request: Request;
   /** What is to be sent before it. */
   first: Request[];
+  sent: boolean;
   subject?: Subject;
   onlyIfThere: boolean;
+  needsWhole: boolean;
   transfer: Transferable[];
   run: SmoothRunOptions;
   /** Set when it was cancelled, or when a callback threw: with what to reject it. */
@@ -80,6 +86,7 @@ export class WorkerQueue {
   readonly #options: QueueOptions;
   #worker: WorkerLike | undefined;
   #ready = false;
+  #whole: boolean;
   #started: { resolve: () => void; reject: (error: PolylapError) => void } | undefined;
   /** Set for good once the queue is closed or given up. */
   #ended: (() => PolylapError) | undefined;
@@ -94,6 +101,7 @@ export class WorkerQueue {
 
   constructor(options: QueueOptions) {
     this.#options = options;
+    this.#whole = options.whole;
     this.started = new Promise((resolve, reject) => {
       this.#started = { resolve, reject };
     });
@@ -123,7 +131,7 @@ export class WorkerQueue {
   async call<K extends CallName>(
     call: K,
     takes: Takes<K>,
-    { subject, onlyIfThere = false, run = {}, transfer = [], commit, undo }: Hooks<K> = {},
+    { subject, onlyIfThere = false, needsWhole = false, run = {}, transfer = [], commit, undo }: Hooks<K> = {},
   ): Promise<Gives<K>> {
     // The caller may change the arguments while the request waits. A source is the client's own already, and may be large.
     const request = { call, takes: 'source' in takes ? takes : ownCopy(takes) } as Request;
@@ -142,8 +150,10 @@ export class WorkerQueue {
         id: this.#nextId++,
         request,
         first: [],
+        sent: false,
         ...(subject && { subject }),
         onlyIfThere,
+        needsWhole,
         transfer,
         run,
         commit: (value: Gives<K>) => {
@@ -168,7 +178,8 @@ export class WorkerQueue {
       if (!job) return;
       this.#current = job;
       const there = !job.subject || this.#there.has(job.subject);
-      if (there) this.#sendPart(job);
+      if (job.needsWhole && !this.#whole) void this.#getWhole(job);
+      else if (there) this.#sendPart(job);
       else if (job.onlyIfThere) this.#settle({ kind: 'done', id: job.id, value: undefined });
       else {
         job.first = job.subject?.bring() ?? [];
@@ -180,6 +191,7 @@ export class WorkerQueue {
   /** Sends what is next of a job: what its subject needs to be there, or the request itself. */
   #sendPart(job: Job): void {
     const [request = job.request] = job.first;
+    job.sent = true;
     try {
       this.#send({ kind: 'request', id: job.id, request }, request === job.request ? job.transfer : []);
     } catch (error) {
@@ -194,9 +206,11 @@ export class WorkerQueue {
   }
 
   #cancel(job: Job, error: unknown): void {
-    if (job !== this.#current) {
+    if (job !== this.#current || !job.sent) {
       this.#queue = this.#queue.filter((other) => other !== job);
+      if (job === this.#current) this.#current = undefined;
       job.reject(error);
+      this.#sendNext();
       return;
     }
     if (job.stopped) return;
@@ -269,6 +283,8 @@ export class WorkerQueue {
       job.resolve(reply.value as never);
     } else {
       const { code, message, element, line } = reply.error;
+      // The memory of a core never shrinks: what it took in vain only goes with it.
+      if (code === 'out-of-memory') this.#renew();
       job.reject(new PolylapError(code as PolylapError['code'], message, element, line));
     }
   }
@@ -288,6 +304,7 @@ export class WorkerQueue {
     this.#ready = false;
     this.#there.clear();
     const { worker: make, module, warmUp } = this.#options;
+    const whole = this.#whole;
     try {
       const worker = make();
       const ifCurrent = (work: () => void) => worker === this.#worker && work();
@@ -296,13 +313,36 @@ export class WorkerQueue {
       worker.onerror = (event: { message?: string }) =>
         ifCurrent(() => this.#onDeath(event.message || 'it could not be loaded or ended'));
       worker.onmessageerror = () => ifCurrent(() => this.#onDeath('a message could not be read'));
-      module().then(
-        (compiled) => ifCurrent(() => this.#send({ kind: 'start', module: compiled, warmUp })),
+      module(whole).then(
+        (compiled) => ifCurrent(() => this.#send({ kind: 'start', module: compiled, whole, warmUp })),
         (error) => ifCurrent(() => this.#onDeath(messageOf(error))),
       );
     } catch (error) {
       queueMicrotask(() => this.#onDeath(messageOf(error)));
     }
+  }
+
+  /** The worker goes on until there is something to start another one with. */
+  async #getWhole(job: Job): Promise<void> {
+    try {
+      await this.#options.module(true);
+    } catch (error) {
+      if (job !== this.#current) return;
+      this.#current = undefined;
+      job.reject(new PolylapError('worker-failed', `a part of the core could not be loaded: ${messageOf(error)}`));
+      this.#sendNext();
+      return;
+    }
+    if (job !== this.#current) return;
+    this.#current = undefined;
+    this.#whole = true;
+    this.#queue.unshift(job);
+    this.#renew();
+  }
+
+  #renew(): void {
+    this.#dropWorker();
+    this.#start();
   }
 
   #onReady(): void {

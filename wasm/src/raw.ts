@@ -48,7 +48,6 @@ export interface RawSession {
   smooth(side: RawSide, time: number, steps: number, rebuild: boolean, tick: Tick | undefined): Reply<void>;
   harmonic(side: RawSide, vertices: Int32Array, values: Float64Array, tick: Tick | undefined): Reply<Harmonic>;
   matrices(side: RawSide, tick: Tick | undefined): Reply<Matrices>;
-  check(side: RawSide, tick: Tick | undefined): Reply<Check>;
   dual(side: RawSide, mu: number, tick: Tick | undefined): Reply<Dual>;
   reset(side: RawSide): Reply<void>;
   restore(side: RawSide, coordinates: Float64Array, steps: number): Reply<void>;
@@ -74,7 +73,9 @@ export interface RawModule {
     tick: Tick | undefined,
   ): Reply<RawSession>;
   make(id: string, settings: Settings, noise: number, seed: number): Reply<RawSession>;
-  convergence(
+  /** These two the smaller module has not. */
+  check?(session: RawSession, side: RawSide, tick: Tick | undefined): Reply<Check>;
+  convergence?(
     id: string,
     settings: Settings,
     vertexWeights: Float64Array | undefined,

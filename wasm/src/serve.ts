@@ -19,11 +19,11 @@ const idleBeforeWarmUp = 50;
 /** Loads the core when it is told to, says so, and answers from then on. */
 export function serve(
   port: Port,
-  load: (options: { module?: WebAssembly.Module | undefined }) => Promise<Polylap>,
+  load: (options: { module: WebAssembly.Module | undefined; whole: boolean }) => Promise<Polylap>,
 ): void {
   port.onmessage = ({ data }) => {
     if (data.kind !== 'start') return;
-    load({ module: data.module }).then(
+    load({ module: data.module, whole: data.whole }).then(
       (polylap) => new Server(port, polylap, data.warmUp).start(),
       (error) => fail(port, error),
     );

@@ -92,6 +92,12 @@ function opaque(error: unknown): PolylapError {
   return new CoreStopped(message);
 }
 
+/** What only the whole module has. */
+function whole<F>(has: F | undefined): F {
+  if (!has) throw new PolylapError('internal', 'this is the smaller module: it checks no properties');
+  return has;
+}
+
 /** The module, loaded: see load.ts. */
 export class Polylap {
   readonly #module: RawModule;
@@ -132,7 +138,8 @@ export class Polylap {
   convergence(spec: OperatorSpec, options: Pick<SyncOptions, 'onProgress'> = {}): ConvergenceStudy[] {
     const { id, settings, vertexWeights } = operatorParts(spec);
     const { onProgress } = optionsOf(options);
-    return call((tick) => this.#module.convergence(id, settings, vertexWeights, tick), onProgress);
+    const study = whole(this.#module.convergence);
+    return call((tick) => study(id, settings, vertexWeights, tick), onProgress);
   }
 
   /** The operator table as the core has it; `operators` in generated.ts is the same with MathML. */
@@ -150,7 +157,7 @@ export class Polylap {
   }
 
   #own(work: (tick: Tick | undefined) => Reply<RawSession>, onProgress?: SyncOptions['onProgress']): Session {
-    return new Session(call(work, onProgress), this.#module.Side);
+    return new Session(call(work, onProgress), this.#module);
   }
 }
 
@@ -161,11 +168,11 @@ export class Polylap {
 export class Session {
   #handle: RawSession | undefined;
   #busy = false;
-  readonly #sides: RawModule['Side'];
+  readonly #module: RawModule;
 
-  constructor(raw: RawSession, sides: RawModule['Side']) {
+  constructor(raw: RawSession, module: RawModule) {
     this.#handle = raw;
-    this.#sides = sides;
+    this.#module = module;
   }
 
   info(): MeshInfo {
@@ -204,7 +211,7 @@ export class Session {
     const side = this.#side(optionsOf(options).side);
     return new Session(
       this.#call((raw) => raw.convert(side, id, settings)),
-      this.#sides,
+      this.#module,
     );
   }
 
@@ -236,7 +243,8 @@ export class Session {
 
   /** The properties of an operator on the side's surface. */
   check(spec: OperatorSpec, options: SyncOptions = {}): Check {
-    return this.#apply(spec, options, (raw, side, tick) => raw.check(side, tick));
+    const check = whole(this.#module.check);
+    return this.#apply(spec, options, (raw, side, tick) => check(raw, side, tick));
   }
 
   /** The orthogonal dual of the side's surface. */
@@ -299,6 +307,6 @@ export class Session {
   }
 
   #side(side: Side = 'a'): RawSide {
-    return this.#sides[oneOf(side, ['a', 'b'], 'the side')];
+    return this.#module.Side[oneOf(side, ['a', 'b'], 'the side')];
   }
 }

@@ -6,6 +6,8 @@ const manyFaces = 200_000;
 
 /** The error's own words as a sentence, with the line in front if they do not name it. */
 export function explain(reason: unknown): string {
+  if (reason instanceof PolylapError && reason.code === 'out-of-memory')
+    return 'There is not enough memory for it. Take a smaller mesh, or the command line, which may use all there is.';
   const message = reason instanceof Error ? reason.message : String(reason);
   const named = !(reason instanceof PolylapError) || reason.line < 1 || /\bline\b/i.test(message);
   const text = named ? message : `line ${reason.line}: ${message}`;

@@ -1,0 +1,40 @@
+// What takes eigensolvers: a quarter of the module, and only asked for by those who look closer.
+#include <emscripten/bind.h>
+
+#include "results.hpp"
+
+namespace polylap::js {
+namespace {
+
+using Side = Session::Side;
+
+val check(Session& session, Side side, val callback) {
+    return guarded([&]() -> Result<val> {
+        Tick tick(std::move(callback));
+        const auto report = session.check(side, tick.monitor());
+        if (!report) return report.error();
+        return told(**report);
+    });
+}
+
+val convergence(const std::string& id, const val& settings, const val& vertex_weights, val callback) {
+    return guarded([&]() -> Result<val> {
+        const auto spec = spec_of(id, settings, vertex_weights);
+        if (!spec) return spec.error();
+        Tick tick(std::move(callback));
+        const auto studies = study_convergence(*spec, tick.monitor());
+        if (!studies) return studies.error();
+        return list(*studies, [](const ConvergenceStudy& study) { return told(study); });
+    });
+}
+
+}  // namespace
+}  // namespace polylap::js
+
+EMSCRIPTEN_BINDINGS(polylap_studies) {
+    using emscripten::function;
+    using namespace polylap::js;
+
+    function("check", &check);
+    function("convergence", &convergence);
+}
