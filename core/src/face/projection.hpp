@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <span>
 
@@ -44,8 +45,12 @@ inline bool is_zero_area(std::span<const Vector3, n> x, double size) {
 /// @param out n points
 template <std::size_t n, class Out>
 inline void project_along(std::span<const Vector3, n> x, const Vector3& normal, Out& out) {
-    const Vector3 axis1 = normal.unitOrthogonal();
-    const Vector3 axis2 = normal.cross(axis1);
+    // Duff et al.: Building an orthonormal basis, revisited. JCGT 6(1), 2017.
+    const double sign = std::copysign(1.0, normal.z());
+    const double a = -1 / (sign + normal.z());
+    const double b = normal.x() * normal.y() * a;
+    const Vector3 axis1(1 + sign * normal.x() * normal.x() * a, sign * b, -sign * normal.x());
+    const Vector3 axis2(b, sign + normal.y() * normal.y() * a, -normal.y());
     for (std::size_t k = 0; k < x.size(); ++k) {
         const Vector3 d = x[k] - x[0];
         out[k] = Eigen::Vector2d(axis1.dot(d), axis2.dot(d));

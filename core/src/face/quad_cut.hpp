@@ -27,10 +27,12 @@ inline AngleSum angle_sum(const Eigen::Vector2d& ca, const Eigen::Vector2d& cb, 
                           const Eigen::Vector2d& db, double tie_distance) {
     const Angle at_c(ca, cb);
     const Angle at_d(db, da);
-    const double ac = ca.norm();
-    const double bc = cb.norm();
-    const double ad = da.norm();
-    const double bd = db.norm();
+    const Eigen::Array4d lengths =
+        Eigen::Array4d(ca.squaredNorm(), cb.squaredNorm(), da.squaredNorm(), db.squaredNorm()).sqrt();
+    const double ac = lengths[0];
+    const double bc = lengths[1];
+    const double ad = lengths[2];
+    const double bd = lengths[3];
     // Sine and cosine of the sum, times all four lengths.
     const double sine = at_c.sine * at_d.cosine + at_c.cosine * at_d.sine;
     const double cosine = at_c.cosine * at_d.cosine - at_c.sine * at_d.sine;

@@ -76,15 +76,72 @@ public:
     Status add(std::span<const Index> vertices) {
         switch (vertices.size()) {
             case 3:
-                return add_face<3>(vertices.first<3>());
+                return add_whole<3>(vertices.first<3>());
             case 4:
-                return add_face<4>(vertices.first<4>());
+                return add_whole<4>(vertices.first<4>());
             default:
-                return add_face<std::dynamic_extent>(vertices);
+                return add_whole<std::dynamic_extent>(vertices);
         }
     }
 
-    /// A part of a face, where the pattern was made of parts.
+    /// Of a face that the pattern has as `parts` triangles, each given by the numbers of its corners: the kernel is
+    /// called as kernel.begin(face, masses) and, for each part, kernel.part(face, part, masses), which returns its
+    /// matrix.
+    Status add_in_parts(std::span<const Index> vertices, std::span<const std::array<Index, 3>> parts) {
+        return with_face(vertices, [&](const auto& face, std::span<double> shares) -> Status {
+            kernel_.begin(face, shares);
+            for (const auto& part : parts) {
+                const auto vertex = [&](std::size_t k) { return vertices[static_cast<std::size_t>(part[k])]; };
+                const std::array<Index, 3> own{vertex(0), vertex(1), vertex(2)};
+                const LocalMatrix<3> s = kernel_.part(face, part, shares);
+                if (Status status = scatter<3>(own, s); !status) return status;
+            }
+            return Done{};
+        });
+    }
+
+private:
+    template <std::size_t n>
+    inline Status add_whole(std::span<const Index, n> vertices) {
+        return with_face(vertices, [&](const Face<n>& face, std::span<double, n> shares) -> Status {
+            if constexpr (n == std::dynamic_extent) {
+                local_.assign(square(vertices.size()), 0.0);
+                const auto size = static_cast<Eigen::Index>(vertices.size());
+                LocalMatrix<n> s(local_.data(), size, size);
+                if (Status status = kernel_(face, s, shares); !status) return status;
+                return scatter(vertices, s);
+            } else {
+                LocalMatrix<n> s = LocalMatrix<n>::Zero();
+                if (Status status = kernel_(face, s, shares); !status) return status;
+                return scatter(vertices, s);
+            }
+        });
+    }
+
+    /// Calls `visit` with the face and its corners' shares of the mass, and adds these.
+    template <std::size_t n, class Visit>
+    inline Status with_face(std::span<const Index, n> vertices, Visit&& visit) {
+        PerCorner<Vector3, n> corners(corners_);
+        PerCorner<double, n> shares(shares_);
+        corners.resize(vertices.size());
+        shares.resize(vertices.size());
+        for (std::size_t k = 0; k < vertices.size(); ++k) {
+            (*corners)[k] = mesh_.position(vertices[k]);
+        }
+        const std::span<const Vector3, n> x(*corners);
+        Face<n> face{vertices, x, vector_area_of(x), 0};
+        face.area = safe_norm(face.vector_area);
+        if (is_zero_area(x, face.area)) return Error{ErrorCode::degenerate_face, "its vector area is zero"};
+        for (double& share : *shares) {
+            share = face.area / static_cast<double>(vertices.size());
+        }
+        if (Status status = visit(face, std::span<double, n>(*shares)); !status) return status;
+        for (std::size_t i = 0; i < vertices.size(); ++i) {
+            masses_[vertices[i]] += (*shares)[i];
+        }
+        return Done{};
+    }
+
     template <std::size_t n>
     inline Status scatter(std::span<const Index, n> vertices, const LocalMatrix<n>& s) {
         if (!s.allFinite()) {
@@ -102,42 +159,6 @@ public:
                 const std::size_t row = *place < FacePairs::far ? *place : pairs_.search(vertices[j], vertices[i]);
                 (*columns)[j][row] += s(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
             }
-        }
-        return Done{};
-    }
-
-private:
-    template <std::size_t n>
-    inline Status add_face(std::span<const Index, n> vertices) {
-        PerCorner<Vector3, n> corners(corners_);
-        PerCorner<double, n> shares(shares_);
-        corners.resize(vertices.size());
-        shares.resize(vertices.size());
-        for (std::size_t k = 0; k < vertices.size(); ++k) {
-            (*corners)[k] = mesh_.position(vertices[k]);
-        }
-        const std::span<const Vector3, n> x(*corners);
-        Face<n> face{vertices, x, vector_area_of(x), 0};
-        face.area = safe_norm(face.vector_area);
-        if (is_zero_area(x, face.area)) return Error{ErrorCode::degenerate_face, "its vector area is zero"};
-        for (double& share : *shares) {
-            share = face.area / static_cast<double>(vertices.size());
-        }
-        if constexpr (n == std::dynamic_extent) {
-            local_.assign(square(vertices.size()), 0.0);
-            const auto size = static_cast<Eigen::Index>(vertices.size());
-            return finish(face, LocalMatrix<n>(local_.data(), size, size), *shares);
-        } else {
-            return finish(face, LocalMatrix<n>(LocalMatrix<n>::Zero()), *shares);
-        }
-    }
-
-    template <std::size_t n, class Shares>
-    inline Status finish(const Face<n>& face, LocalMatrix<n> s, Shares& shares) {
-        if (Status status = kernel_(face, s, std::span<double, n>(shares)); !status) return status;
-        if (Status status = scatter<n>(face.vertices, s); !status) return status;
-        for (std::size_t i = 0; i < face.vertices.size(); ++i) {
-            masses_[face.vertices[i]] += shares[i];
         }
         return Done{};
     }

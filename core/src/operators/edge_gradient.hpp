@@ -73,7 +73,8 @@ private:
         const Vector3 e0 = face.x[1] - face.x[0];
         const Vector3 e1 = face.x[2] - face.x[1];
         const Vector3 e2 = face.x[3] - face.x[2];
-        const Vector3 normal = face.vector_area / face.area / face.area;  // so that the factors are near 1
+        const double inverse = 1 / face.area;
+        const Vector3 normal = face.vector_area * inverse * inverse;  // so that the factors are near 1
         const double k0 = e1.cross(e2).dot(normal);
         const double k1 = -e0.cross(e2).dot(normal);
         const double k2 = e0.cross(e1).dot(normal);
@@ -91,7 +92,7 @@ private:
 
         const Vector3 c = face.x[3] - face.x[1];  // the chords are c, d, -c, -d
         const Vector3 d = face.x[0] - face.x[2];
-        const double scale = 1 / (4 * face.area);
+        const double scale = inverse / 4;
         const double cc = c.squaredNorm() * scale;
         const double cd = c.dot(d) * scale;
         const double dd = d.squaredNorm() * scale;

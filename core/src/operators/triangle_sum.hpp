@@ -58,28 +58,39 @@ public:
         return Done{};
     }
 
+    /// For FaceSum::add_in_parts.
+    void begin(const Face<std::dynamic_extent>& face, std::span<double> masses) {
+        points_.resize(face.x.size());
+        project_along(face.x, face.vector_area / face.area, points_);
+        if (mass_ != MassRule::lumped) std::fill(masses.begin(), masses.end(), 0.0);
+    }
+    Eigen::Matrix3d part(const Face<std::dynamic_extent>& face, const Triangle& t, std::span<double> masses) const {
+        return add({face.vertices, face.x, points_, t}, masses);
+    }
+
 private:
     template <std::size_t n, class Points, class Triangles>
     inline void add(const Face<n>& face, const Points& points, const Triangles& triangles, LocalMatrix<n>& s,
-                    std::span<double> masses) {
+                    std::span<double> masses) const {
         for (const Triangle& t : triangles) {
-            const FaceTriangle triangle{face.vertices, face.x, points, t};
-            const Eigen::Matrix3d local = local_(triangle);
+            const Eigen::Matrix3d local = add({face.vertices, face.x, points, t}, masses);
             for (Eigen::Index j = 0; j < 3; ++j) {
                 for (Eigen::Index i = 0; i < 3; ++i) {
                     s(t[static_cast<std::size_t>(i)], t[static_cast<std::size_t>(j)]) += local(i, j);
                 }
             }
-            add_masses(triangle, masses);
         }
     }
 
-    void add_masses(const FaceTriangle& triangle, std::span<double> masses) const {
-        if (mass_ == MassRule::lumped) return;
-        const Vector3 shares = corner_masses(triangle.x, triangle.corners, mass_);
-        for (int k = 0; k < 3; ++k) {
-            masses[static_cast<std::size_t>(triangle.corners[static_cast<std::size_t>(k)])] += shares[k];
+    /// Adds the masses of a triangle, and returns its matrix.
+    inline Eigen::Matrix3d add(const FaceTriangle& triangle, std::span<double> masses) const {
+        if (mass_ != MassRule::lumped) {
+            const Vector3 shares = corner_masses(triangle.x, triangle.corners, mass_);
+            for (std::size_t k = 0; k < 3; ++k) {
+                masses[static_cast<std::size_t>(triangle.corners[k])] += shares[static_cast<Eigen::Index>(k)];
+            }
         }
+        return local_(triangle);
     }
 
     TriangulationRule rule_;
@@ -89,13 +100,48 @@ private:
     std::vector<Triangle> triangles_;
 };
 
-/// Sums what each of the triangles that the faces are cut into (on their maximal projection) adds, and the mass.
+/// A mesh whose faces of more than largest_whole_face corners are cut into triangles.
+struct CutFaces {
+    std::vector<Index> offsets, corners;  ///< As in Connectivity.
+    std::vector<Triangle> triangles;      ///< Of the faces that are cut, in the numbers of their corners.
+};
+
+/// Beyond, a block of all pairs of corners costs more than the same pattern on moved positions saves.
+inline constexpr std::size_t largest_whole_face = 32;
+
+/// @error degenerate_face (element = face), out_of_memory, cancelled
+Result<CutFaces> cut_large_faces(const PolygonMesh& mesh, TriangulationRule rule, Monitor monitor);
+
+/// Sums what each of the triangles that the faces are cut into (on their maximal projection) adds, and the mass. The
+/// pattern is that of assemble_faces, but for faces of more than largest_whole_face corners: there only the sides of
+/// triangles have entries.
 /// @param local  Eigen::Matrix3d local(const FaceTriangle&)
 /// @error as assemble_faces, and those of triangulate_polygon with the face
 template <class Local>
 Status assemble_triangles(const PolygonMesh& mesh, TriangulationRule rule, MassRule mass, Local local,
                           OperatorMatrices& out, Monitor monitor) {
-    return assemble_faces(mesh, TriangleSum(rule, mass, std::move(local)), out, monitor);
+    TriangleSum kernel(rule, mass, std::move(local));
+    if (largest_face(*mesh.connectivity()) <= largest_whole_face) return assemble_faces(mesh, kernel, out, monitor);
+    return guard_memory([&]() -> Status {
+        Stretch cutting{monitor, 0, 0.6};
+        Stretch pairing{monitor, 0.6, 0.8};
+        Stretch summing{monitor, 0.8, 1};
+        const auto cut = cut_large_faces(mesh, rule, cutting.monitor());
+        if (!cut) return cut.error();
+        const auto pairs = pair_corners(mesh.vertex_count(), cut->offsets, cut->corners, pairing.monitor());
+        if (!pairs) return pairs.error();
+        set_pattern(**pairs, out.stiffness);
+        set_diagonal(mesh.vertex_count(), out.mass);
+        FaceSum<TriangleSum<Local>> sum(mesh, **pairs, kernel, out);
+        auto triangle = std::span(cut->triangles);
+        return for_faces(mesh, summing.monitor(), [&](Index f) {
+            const auto face = mesh.face(f);
+            if (face.size() <= largest_whole_face) return sum.add(face);
+            const auto parts = triangle.first(face.size() - 2);
+            triangle = triangle.subspan(parts.size());
+            return sum.add_in_parts(face, parts);
+        });
+    });
 }
 
 }  // namespace polylap

@@ -26,6 +26,39 @@ inline Eigen::Matrix3d weighted_cotan(const FaceTriangle& triangle, std::span<co
 
 }  // namespace
 
+Result<CutFaces> cut_large_faces(const PolygonMesh& mesh, TriangulationRule rule, Monitor monitor) {
+    return guard_memory([&]() -> Result<CutFaces> {
+        CutFaces cut{.offsets = {0}, .corners = {}, .triangles = {}};
+        std::vector<Vector3> x;
+        std::vector<Triangle> triangles;
+        Projection projection;
+        const auto add = [&cut](std::span<const Index> cell) {
+            cut.corners.insert(cut.corners.end(), cell.begin(), cell.end());
+            cut.offsets.push_back(static_cast<Index>(cut.corners.size()));
+        };
+        Status status = for_faces(mesh, monitor, [&](Index f) -> Status {
+            const auto face = mesh.face(f);
+            if (face.size() <= largest_whole_face) {
+                add(face);
+                return Done{};
+            }
+            gather_corners(mesh, f, x);
+            if (!project_maximally(x, projection)) {
+                return Error{ErrorCode::degenerate_face, "its vector area is zero"};
+            }
+            if (Status done = triangulate_polygon(projection.points, rule, triangles); !done) return done;
+            for (const Triangle& t : triangles) {
+                const auto vertex = [&](std::size_t k) { return face[static_cast<std::size_t>(t[k])]; };
+                add(std::array{vertex(0), vertex(1), vertex(2)});
+            }
+            cut.triangles.insert(cut.triangles.end(), triangles.begin(), triangles.end());
+            return Done{};
+        });
+        if (!status) return status.error();
+        return cut;
+    });
+}
+
 Status triangulated_operator(const PolygonMesh& mesh, std::span<const double> weights, TriangulationRule rule,
                              MassRule mass, OperatorMatrices& out, Monitor monitor) {
     if (Status status = check_vertex_weights(mesh, weights); !status) return status;

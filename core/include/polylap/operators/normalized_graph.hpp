@@ -10,7 +10,7 @@ extern const OperatorInfo normalized_graph_info;
 /// is D^½ 1, not the constants.
 /// @param mesh any; faces may be degenerate
 /// @return S V×V symmetric PSD, unitless
-/// @error out_of_memory, cancelled.   Cost O(Σ n_f²)
+/// @error out_of_memory, cancelled.   Cost O(Σ n_f)
 Result<SparseMatrix> normalized_graph_stiffness(const PolygonMesh& mesh, Monitor monitor = {});
 
 }  // namespace polylap

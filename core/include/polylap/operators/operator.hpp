@@ -61,8 +61,9 @@ struct OperatorSpec {
 /// S: V×V, (S u)ᵢ = Σ w_ij (uᵢ - uⱼ), unitless. M: V×V, length², diagonal or (Galerkin) sparse symmetric. Both stored
 /// in full.
 ///
-/// The entries of an operator that is a sum over faces depend on the connectivity alone: all pairs of vertices that
-/// share a face have one, be it 0. So do those of an operator of edges, with the pairs of neighbours.
+/// Which entries there are depends on the connectivity alone: for an operator that is a sum over faces, those of all
+/// pairs of vertices that share a face, be they 0; for one of edges, those of neighbours. Except in faces of more than
+/// 32 corners that the operator cuts into triangles: there the sides of these have entries, the diagonals as they fall.
 struct OperatorMatrices {
     SparseMatrix stiffness;
     SparseMatrix mass;

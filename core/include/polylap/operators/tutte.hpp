@@ -10,7 +10,7 @@ extern const OperatorInfo tutte_info;
 /// exceeds the mean of its neighbours by; the spectrum lies in [0, 2].
 /// @param mesh any; faces may be degenerate
 /// @return S V×V, not symmetric, unitless
-/// @error out_of_memory, cancelled.   Cost O(Σ n_f²)
+/// @error out_of_memory, cancelled.   Cost O(Σ n_f)
 Result<SparseMatrix> tutte_stiffness(const PolygonMesh& mesh, Monitor monitor = {});
 
 }  // namespace polylap

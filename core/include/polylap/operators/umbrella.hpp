@@ -10,7 +10,7 @@ extern const OperatorInfo umbrella_info;
 /// however many faces it has.
 /// @param mesh any; faces may be degenerate
 /// @return S V×V symmetric PSD, unitless
-/// @error out_of_memory, cancelled.   Cost O(Σ n_f²)
+/// @error out_of_memory, cancelled.   Cost O(Σ n_f)
 Result<SparseMatrix> umbrella_stiffness(const PolygonMesh& mesh, Monitor monitor = {});
 
 }  // namespace polylap
