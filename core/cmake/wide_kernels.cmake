@@ -1,11 +1,9 @@
-# polylap_wide_kernels(<target>): the dense kernels once more for wider vectors, on x86-64; the library picks at run time what the
-# machine has. Only these files may be compiled so: see kernels_body.hpp.
+# polylap_wide_kernels(): the dense kernels once more for wider vectors, on x86-64; the library picks at run time what the machine
+# has. No other file may be compiled so: see kernels_body.hpp.
 include(CheckCXXSourceCompiles)
 
-function(polylap_wide_kernels target)
-    set(avx2 -mavx2 -mfma)
-    set(avx512 -mavx512f -mfma -mprefer-vector-width=512)
-    list(JOIN avx512 " " CMAKE_REQUIRED_FLAGS)
+function(polylap_wide_kernels)
+    set(CMAKE_REQUIRED_FLAGS "-mavx512f -mfma -mprefer-vector-width=512")
     check_cxx_source_compiles("
         #ifndef __x86_64__
         #error
@@ -14,11 +12,12 @@ function(polylap_wide_kernels target)
     if(NOT POLYLAP_HAS_WIDE_KERNELS)
         return()
     endif()
-    foreach(set IN ITEMS avx2 avx512)
-        set(source "${CMAKE_CURRENT_SOURCE_DIR}/src/solve/dense/kernels_${set}.cpp")
-        target_sources(${target} PRIVATE "${source}")
-        # Fused multiply-add is half of what the wider sets are for.
-        set_source_files_properties("${source}" PROPERTIES COMPILE_OPTIONS "${${set}};-ffp-contract=fast")
-    endforeach()
-    set_source_files_properties(src/solve/dense/kernels.cpp PROPERTIES COMPILE_DEFINITIONS POLYLAP_WIDE_KERNELS)
+    set(folder src/solve/dense)
+    set_source_files_properties(${folder}/kernels.cpp ${folder}/kernels_avx2.cpp ${folder}/kernels_avx512.cpp
+        PROPERTIES COMPILE_DEFINITIONS POLYLAP_WIDE_KERNELS)
+    # Fused multiply-add is half of what the wider sets are for.
+    set_source_files_properties(${folder}/kernels_avx2.cpp
+        PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma;-ffp-contract=fast")
+    set_source_files_properties(${folder}/kernels_avx512.cpp
+        PROPERTIES COMPILE_OPTIONS "-mavx512f;-mfma;-mprefer-vector-width=512;-ffp-contract=fast")
 endfunction()

@@ -1,3 +1,5 @@
+#ifdef POLYLAP_WIDE_KERNELS  // else this machine is no x86-64
+
 #define POLYLAP_LANES 4
 #define POLYLAP_TILE_VECTORS 3
 #define POLYLAP_TILE_COLUMNS 4
@@ -9,3 +11,5 @@ extern const Kernels kernels_avx2;
 const Kernels kernels_avx2{"avx2", factor, downdate, forward, backward, scratch_doubles};
 
 }  // namespace polylap::dense
+
+#endif
