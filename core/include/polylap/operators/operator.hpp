@@ -79,8 +79,8 @@ struct OperatorMatrices {
     OperatorMatrices(const OperatorMatrices&) = default;
     OperatorMatrices& operator=(const OperatorMatrices&) = default;
     // Eigen 3.4's sparse matrices copy where they are told to move.
-    OperatorMatrices(OperatorMatrices&& other)
-        : structure(other.structure) {  // NOLINT(performance-noexcept-move-constructor): an empty matrix allocates
+    // NOLINTNEXTLINE(performance-noexcept-move-constructor): an empty matrix allocates
+    OperatorMatrices(OperatorMatrices&& other) : structure(other.structure) {
         stiffness.swap(other.stiffness);
         mass.swap(other.mass);
     }
