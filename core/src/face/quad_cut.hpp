@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "face/plane_polygon.hpp"
@@ -53,20 +55,27 @@ using QuadTriangles = std::array<Triangle, 2>;
 inline constexpr QuadTriangles cut_at_02{{{0, 1, 2}, {0, 2, 3}}};
 inline constexpr QuadTriangles cut_at_13{{{0, 1, 3}, {1, 2, 3}}};
 
-/// By which diagonal; unclear: this has to be found out with more care.
-enum class QuadCut : std::uint8_t { at_02, at_13, unclear };
+/// Convex beyond doubt: for a triangle or quad that turns left at every corner, far beyond what PlanePolygon::side
+/// takes for rounding.
+template <std::size_t n>
+inline bool clearly_convex(std::span<const Eigen::Vector2d, n> p) {
+    static_assert(n == 3 || n == 4, "five left turns may go around twice");
+    double squares = 0;  // the square of the diameter is at most twice this
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < n; ++k) {
+        const Eigen::Vector2d edge = p[(k + 1) % n] - p[k];
+        squares += edge.squaredNorm();
+        least = std::min(least, cross(edge, p[(k + 2) % n] - p[(k + 1) % n]));
+    }
+    return least > 1e-12 * squares;
+}
 
-/// The Delaunay cut of a quad that is convex beyond doubt, the one that triangulate_polygon finds.
+/// By which diagonal.
+enum class QuadCut : std::uint8_t { at_02, at_13 };
+
+/// The Delaunay cut that triangulate_polygon finds. @param p clearly_convex
 inline QuadCut cut_convex_quad(std::span<const Eigen::Vector2d, 4> p) {
-    const Eigen::Vector2d e0 = p[1] - p[0];
-    const Eigen::Vector2d e1 = p[2] - p[1];
-    const Eigen::Vector2d e2 = p[3] - p[2];
-    const Eigen::Vector2d e3 = p[0] - p[3];
-    // Far beyond what PlanePolygon::side takes for rounding: the square of the diameter is at most twice these.
-    const double squares = e0.squaredNorm() + e1.squaredNorm() + e2.squaredNorm() + e3.squaredNorm();
-    const double least = std::min(std::min(cross(e3, e0), cross(e0, e1)), std::min(cross(e1, e2), cross(e2, e3)));
-    if (!(least > 1e-12 * squares)) return QuadCut::unclear;
-    const AngleSum sum = angle_sum(e3, -e2, -e0, e1, PlanePolygon(p).tie_distance());
+    const AngleSum sum = angle_sum(PlanePolygon(p), 0, 2, 3, 1);
     return sum == AngleSum::more ? QuadCut::at_13 : QuadCut::at_02;  // in a tie, from corner 0
 }
 

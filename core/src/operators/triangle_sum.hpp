@@ -42,14 +42,18 @@ public:
         points.resize(face.x.size());
         project_along(face.x, face.vector_area / face.area, *points);
         if (mass_ != MassRule::lumped) std::fill(masses.begin(), masses.end(), 0.0);
-        if constexpr (n == 4) {  // without the detour over vectors
-            const QuadCut cut = rule_ == TriangulationRule::delaunay ? cut_convex_quad(*points) : QuadCut::unclear;
-            if (cut == QuadCut::at_02) {
-                add(face, *points, cut_at_02, s, masses);
+        if constexpr (n == 3) {  // here and below without the detour over vectors
+            if (clearly_convex<3>(*points)) {
+                s = add({face.vertices, face.x, *points, {0, 1, 2}}, masses);
                 return Done{};
             }
-            if (cut == QuadCut::at_13) {
-                add(face, *points, cut_at_13, s, masses);
+        }
+        if constexpr (n == 4) {
+            if (rule_ == TriangulationRule::delaunay && clearly_convex<4>(*points)) {
+                if (cut_convex_quad(*points) == QuadCut::at_02)
+                    add_quad<0>(face, *points, s, masses);
+                else
+                    add_quad<1>(face, *points, s, masses);
                 return Done{};
             }
         }
@@ -80,6 +84,31 @@ private:
                 }
             }
         }
+    }
+
+    /// Cut from corner k to k + 2.
+    template <Index k>
+    inline void add_quad(const Face<4>& face, std::span<const Eigen::Vector2d, 4> points, LocalMatrix<4>& s,
+                         std::span<double> masses) const {
+        constexpr Index k1 = k + 1;
+        constexpr Index k2 = k + 2;
+        constexpr Index k3 = (k + 3) % 4;
+        const Eigen::Matrix3d a = add({face.vertices, face.x, points, {k, k1, k2}}, masses);
+        const Eigen::Matrix3d b = add({face.vertices, face.x, points, {k, k2, k3}}, masses);
+        s(k, k) = a(0, 0) + b(0, 0);
+        s(k1, k1) = a(1, 1);
+        s(k2, k2) = a(2, 2) + b(1, 1);
+        s(k3, k3) = b(2, 2);
+        s(k, k1) = a(0, 1);
+        s(k1, k) = a(1, 0);
+        s(k1, k2) = a(1, 2);
+        s(k2, k1) = a(2, 1);
+        s(k2, k3) = b(1, 2);
+        s(k3, k2) = b(2, 1);
+        s(k3, k) = b(2, 0);
+        s(k, k3) = b(0, 2);
+        s(k, k2) = a(0, 2) + b(0, 1);
+        s(k2, k) = a(2, 0) + b(1, 0);
     }
 
     /// Adds the masses of a triangle, and returns its matrix.
