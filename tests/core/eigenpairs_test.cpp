@@ -153,6 +153,107 @@ TEST(Eigenpairs, OfASphereComeInOddGroups) {
     }
 }
 
+/// |M^-½ (S x - μ M x)| of the worst pair over |M^-½ S M^-½|∞, and how far the vectors are from M-orthonormal.
+void expect_generalised(const OperatorMatrices& m, const Eigenpairs& pairs, const std::string& name) {
+    Vector half = m.mass.diagonal();
+    for (double& mass : half)
+        mass = mass > 0 ? 1 / std::sqrt(mass) : 0;
+    const Matrix scaled = half.asDiagonal() * Matrix(m.stiffness) * half.asDiagonal();
+    const double scale = scaled.cwiseAbs().rowwise().sum().maxCoeff();
+    const Matrix residual =
+        half.asDiagonal() * (m.stiffness * pairs.vectors - m.mass * pairs.vectors * pairs.values.asDiagonal());
+    EXPECT_LE(residual.colwise().norm().maxCoeff(), eigenpair_tolerance * scale) << name;
+    const auto k = pairs.values.size();
+    EXPECT_LE((pairs.vectors.transpose() * m.mass * pairs.vectors - Matrix::Identity(k, k)).cwiseAbs().maxCoeff(), 1e-9)
+        << name;
+}
+
+TEST(Eigenpairs, WithAMassEqualTheDenseOnes) {
+    for (const auto& [name, mesh] : zoo()) {
+        const auto matrices = build_operator(mesh, {operators().front()->id, {}});
+        if (!matrices || matrices->structure != Structure::positive_semidefinite) continue;
+        std::vector<Index> used;
+        const Vector mass = matrices->mass.diagonal();
+        for (Index v = 0; v < mesh.vertex_count(); ++v) {
+            if (mass[v] > 0) used.push_back(v);
+        }
+        const Vector part = mass(used);
+        const Matrix s = Matrix(matrices->stiffness)(used, used);
+        const Vector expected =
+            Eigen::GeneralizedSelfAdjointEigenSolver<Matrix>(s, Matrix(part.asDiagonal()), Eigen::EigenvaluesOnly)
+                .eigenvalues();
+        const auto pairs = get(lowest_eigenpairs(matrices->stiffness, matrices->mass, 12, {}, mesh.positions()));
+        ASSERT_EQ(pairs.vectors.rows(), mesh.vertex_count());
+        ASSERT_EQ(pairs.values.size(), std::min<Eigen::Index>(12, expected.size())) << name;
+        EXPECT_LE((pairs.values - expected.head(pairs.values.size())).cwiseAbs().maxCoeff(),
+                  1e-9 * expected.cwiseAbs().maxCoeff())
+            << name;
+        expect_generalised(*matrices, pairs, name);
+        for (Index v = 0; v < mesh.vertex_count(); ++v) {
+            if (mass[v] > 0) continue;
+            EXPECT_EQ(pairs.vectors.row(v).norm(), 0) << name;
+        }
+    }
+}
+
+PolygonMesh made(const char* shape, const char* parameter, const char* value) {
+    const std::vector<std::pair<std::string, std::string>> settings{{parameter, value}};
+    return get(make_shape(shape, settings));
+}
+
+// ℓ(ℓ+1), each 2ℓ+1 times, in groups that the mesh hardly splits.
+TEST(Eigenpairs, OfALargeSphereComeInOddGroups) {
+    const PolygonMesh sphere = made("hexagon-sphere", "level", "4");
+    const auto matrices = get(build_operator(sphere, {"alexa-wardetzky", {}}));
+    ASSERT_GT(sphere.vertex_count(), 2000);
+    const auto pairs = get(lowest_eigenpairs(matrices.stiffness, matrices.mass, 25, {}, sphere.positions()));
+    expect_generalised(matrices, pairs, "hexagon-sphere");
+    double below = 0;
+    for (Index l = 1, k = 1; l < 5; k += 2 * l + 1, ++l) {
+        const double first = pairs.values[k];
+        const double last = pairs.values[k + 2 * l];
+        const double mean = pairs.values.segment(k, 2 * l + 1).mean();
+        EXPECT_LE(last - first, 0.02 * mean) << l;
+        EXPECT_GE(first - below, 20 * (last - first)) << l;
+        below = last;
+    }
+    EXPECT_NEAR(pairs.values[0], 0, 1e-9 * pairs.values[24]);
+    EXPECT_NEAR(pairs.values[20] / pairs.values[2], 10, 0.3);  // ℓ = 4 against ℓ = 1
+}
+
+// The symmetries of a cube leave eigenvalues of 1, 2 and 3 copies, exactly.
+TEST(Eigenpairs, OfASymmetricMeshHaveAllTheirCopies) {
+    const PolygonMesh cube = made("cube", "n", "12");
+    const auto matrices = get(build_operator(cube, {operators().front()->id, {}}));
+    const Vector expected = Eigen::GeneralizedSelfAdjointEigenSolver<Matrix>(
+                                Matrix(matrices.stiffness), Matrix(matrices.mass), Eigen::EigenvaluesOnly)
+                                .eigenvalues();
+    const auto pairs = get(lowest_eigenpairs(matrices.stiffness, matrices.mass, 30, {}, cube.positions()));
+    EXPECT_LE((pairs.values - expected.head(30)).cwiseAbs().maxCoeff(), 1e-10 * expected.maxCoeff());
+    EXPECT_NEAR(pairs.values[3], pairs.values[1], 1e-8 * pairs.values[1]);  // the first three are x, y and z
+    expect_generalised(matrices, pairs, "cube");
+}
+
+TEST(Eigenpairs, RefuseMassesThatAreNone) {
+    const auto m = get(build_operator(specimen("grid-2x2"), {operators().front()->id, {}}));
+    const auto refused = [&](const SparseMatrix& mass, const Points& positions = {}) {
+        const auto pairs = lowest_eigenpairs(m.stiffness, mass, 3, {}, positions);
+        return pairs ? Error{ErrorCode::out_of_memory, "was not refused"} : pairs.error();
+    };
+    for (const double bad : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
+        SparseMatrix mass = m.mass;
+        mass.coeffRef(4, 4) = bad;
+        EXPECT_EQ(refused(mass).code, ErrorCode::mass_not_positive);
+        EXPECT_EQ(refused(mass).element, 4);
+    }
+    SparseMatrix full = m.mass;
+    full.coeffRef(2, 1) = 0.1;
+    EXPECT_EQ(refused(full).code, ErrorCode::bad_argument);
+    EXPECT_EQ(refused(full).element, 1);
+    EXPECT_EQ(refused(SparseMatrix(3, 3)).code, ErrorCode::bad_argument);
+    EXPECT_EQ(refused(m.mass, Points::Zero(4, 3)).code, ErrorCode::bad_argument);
+}
+
 TEST(Eigenpairs, CountsThoseBelow) {
     const Vector values = path_eigenvalues(400);
     for (const double shift : {-1.0, 0.001, 0.5, 1.7, 3.0, 3.999, 5.0}) {

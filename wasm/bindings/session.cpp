@@ -127,7 +127,7 @@ val surface(const Session& session, Side side) {
         const Points& points = session.surface(side).positions();
         return object(entry("step", session.step_count(side)), entry("positions", array(session.float_positions(side))),
                       entry("coordinates", array(points.data(), static_cast<std::size_t>(points.size()))),
-                      entry("stats", told(session.shape(side))));
+                      entry("stats", told(session.shape(side))), entry("solve", told(session.last_solve(side))));
     });
 }
 

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include <Spectra/SymEigsSolver.h>
 #include <Eigen/Eigenvalues>
@@ -26,8 +29,8 @@ constexpr Index dense_rescue = 1000;
 /// eigenvalues stand far apart after inversion, and far enough for a well-conditioned factor.
 constexpr double first_shift = 1e-5;
 
-/// Relative accuracy that Lanczos is asked for.
-constexpr double lanczos_tolerance = 1e-12;
+/// Relative accuracy that Lanczos is asked for: what it leaves after inversion is as much of |S|∞ at most, before.
+constexpr double lanczos_tolerance = 1e-11;
 
 /// Restarts of one Lanczos run, so that it ends.
 constexpr Eigen::Index most_restarts = 1000;
@@ -139,16 +142,21 @@ Vector start_vector(Eigen::Index rows, Eigen::Index seed) {
     return Spectra::SimpleRandom<double>(static_cast<unsigned long>(seed)).random_vec(rows);
 }
 
+/// S + shift·I, with all of its diagonal stored.
+SparseMatrix with_diagonal(const SparseMatrix& s, double shift) {
+    SparseMatrix identity(s.rows(), s.cols());
+    identity.setIdentity();
+    return s + shift * identity;
+}
+
 /// Factors S - σI for a σ below the spectrum: a little below `origin`, and ten times as far until the factor exists.
 /// @return σ
 Result<double> factor_below(const SparseMatrix& s, double origin, SpdFactor& factor, Progress& progress) {
-    SparseMatrix identity(s.rows(), s.cols());
-    identity.setIdentity();
     const double first = std::max(first_shift * s.diagonal().cwiseAbs().mean(), 10 * pivot_tolerance);
     const double deepest = 3;  // |S|∞ is 1
     for (double depth = first;; depth = std::min(10 * depth, deepest)) {
         progress.step();
-        const Status status = factor.factor(s + (depth - origin) * identity);
+        const Status status = factor.factor(with_diagonal(s, depth - origin));
         if (status) return origin - depth;
         if (status.error().code != ErrorCode::not_positive_definite || depth == deepest) return status.error();
     }
@@ -192,6 +200,15 @@ Result<Eigenpairs> rayleigh_ritz(const SparseMatrix& s, const Matrix& span) {
     return pairs;
 }
 
+/// The same eigenvectors with their Rayleigh quotients, ascending.
+Eigenpairs in_order(const SparseMatrix& s, Matrix vectors) {
+    const Vector values = vectors.cwiseProduct(s * vectors).colwise().sum();
+    std::vector<Index> order(static_cast<std::size_t>(values.size()));
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return values[a] < values[b]; });
+    return {values(order), vectors(Eigen::all, order)};
+}
+
 Eigenpairs head(const Eigenpairs& pairs, Index count) {
     return {pairs.values.head(count), pairs.vectors.leftCols(count)};
 }
@@ -217,10 +234,11 @@ Result<Eigenpairs> dense_eigenpairs(const SparseMatrix& s, Index count, Monitor 
 }
 
 /// @param s |S|∞ = 1
-Result<Eigenpairs> sparse_eigenpairs(const SparseMatrix& s, Index count, Monitor monitor) {
+Result<Eigenpairs> sparse_eigenpairs(const SparseMatrix& s, Index count, const Points& positions, Monitor monitor) {
     const auto n = static_cast<Index>(s.rows());
     Progress progress(monitor, 4 * count);
     SpdFactor factor;
+    if (Status status = factor.analyse(with_diagonal(s, 0), positions); !status) return status.error();
     if (Status status = factor_below_spectrum(s, factor, progress); !status) return status.error();
 
     Eigenpairs pairs{Vector(0), Matrix(n, 0)};
@@ -229,7 +247,11 @@ Result<Eigenpairs> sparse_eigenpairs(const SparseMatrix& s, Index count, Monitor
     const auto find_more = [&](Index more) {
         return lanczos(inverse, more, inverse.project(start_vector(n, ++seed)), lanczos_tolerance).vectors;
     };
-    const auto add = [&](const Matrix& vectors) -> Status {
+    const auto add = [&](Matrix vectors) -> Status {
+        if (pairs.vectors.cols() == 0) {
+            pairs = in_order(s, std::move(vectors));
+            return Done{};
+        }
         Matrix span(n, pairs.vectors.cols() + vectors.cols());
         span << pairs.vectors, vectors;
         const auto all = rayleigh_ritz(s, span);
@@ -263,7 +285,8 @@ Result<Eigenpairs> sparse_eigenpairs(const SparseMatrix& s, Index count, Monitor
 
 }  // namespace
 
-Result<Eigenpairs> lowest_eigenpairs(const SparseMatrix& symmetric, Index count, Monitor monitor) {
+Result<Eigenpairs> lowest_eigenpairs(const SparseMatrix& symmetric, Index count, Monitor monitor,
+                                     const Points& positions) {
     return guard_spectra([&]() -> Result<Eigenpairs> {
         if (Status status = check_symmetric(symmetric); !status) return status.error();
         if (count < 1) return Error{ErrorCode::bad_argument, "at least one eigenpair must be asked for"};
@@ -271,10 +294,11 @@ Result<Eigenpairs> lowest_eigenpairs(const SparseMatrix& symmetric, Index count,
         count = std::min(count, n);
         const double scale = largest_row_sum(symmetric);
         if (scale == 0) return Eigenpairs{Vector::Zero(count), Matrix::Identity(n, count)};
-        auto pairs = n <= dense_limit || count > n / 4 ? dense_eigenpairs(symmetric / scale, count, monitor)
-                                                       : sparse_eigenpairs(symmetric / scale, count, monitor);
+        const SparseMatrix unit = symmetric / scale;
+        auto pairs = n <= dense_limit || count > n / 4 ? dense_eigenpairs(unit, count, monitor)
+                                                       : sparse_eigenpairs(unit, count, positions, monitor);
         if (!pairs && pairs.error().code == ErrorCode::not_converged && n <= dense_rescue) {
-            pairs = dense_eigenpairs(symmetric / scale, count, monitor);
+            pairs = dense_eigenpairs(unit, count, monitor);
         }
         if (pairs) pairs->values *= scale;
         if (pairs && !monitor.proceed(1)) return Error{ErrorCode::cancelled, "cancelled"};

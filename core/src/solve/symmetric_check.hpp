@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "polylap/base/result.hpp"
 #include "polylap/base/types.hpp"
@@ -21,24 +22,33 @@ inline double largest_row_sum(const SparseMatrix& symmetric) {
     return largest;
 }
 
-/// @error bad_argument: not square, not finite, not symmetric beyond rounding
+/// @error bad_argument: not square, not compressed, not finite, not symmetric beyond rounding
 inline Status check_symmetric(const SparseMatrix& matrix) {
     if (matrix.rows() != matrix.cols()) {
         return Error{ErrorCode::bad_argument, "a matrix of " + std::to_string(matrix.rows()) + "×" +
                                                   std::to_string(matrix.cols()) + " has no eigenvalues"};
     }
+    if (!matrix.isCompressed()) return Error{ErrorCode::bad_argument, "the matrix must be compressed"};
     constexpr double rounding = 1e-12;  // of |S|∞: far above that of sums in another order, far below what matters
     const double scale = largest_row_sum(matrix);
     if (!std::isfinite(scale)) return Error{ErrorCode::bad_argument, "the matrix is not finite"};
-    const SparseMatrix transposed = matrix.transpose();
-    const SparseMatrix difference = matrix - transposed;
-    for (Index k = 0; k < difference.outerSize(); ++k) {
-        for (SparseMatrix::InnerIterator it(difference, k); it; ++it) {
-            if (std::abs(it.value()) <= rounding * scale) continue;
-            return Error{
-                ErrorCode::bad_argument,
-                "the matrix is not symmetric at row " + std::to_string(it.index()) + ", column " + std::to_string(k),
-                it.index()};
+    // Columns are taken in order, so that what faces an entry lies further on in its own column each time.
+    std::vector<Index> next(matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.outerSize());
+    const auto facing = [&](Index row, Index column) {
+        Index& k = next[static_cast<std::size_t>(column)];
+        const Index end = matrix.outerIndexPtr()[column + 1];
+        while (k < end && matrix.innerIndexPtr()[k] < row) {
+            ++k;
+        }
+        return k < end && matrix.innerIndexPtr()[k] == row ? matrix.valuePtr()[k] : 0;
+    };
+    for (Index k = 0; k < matrix.outerSize(); ++k) {
+        for (SparseMatrix::InnerIterator it(matrix, k); it; ++it) {
+            const auto row = static_cast<Index>(it.index());
+            if (std::abs(it.value() - facing(k, row)) <= rounding * scale) continue;
+            return Error{ErrorCode::bad_argument,
+                         "the matrix is not symmetric at row " + std::to_string(row) + ", column " + std::to_string(k),
+                         row};
         }
     }
     return Done{};

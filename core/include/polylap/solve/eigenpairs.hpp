@@ -20,10 +20,22 @@ inline constexpr double eigenpair_tolerance = 1e-9;
 /// complement) shows that no eigenvalue was missed, whatever the multiplicities.
 /// @param symmetric n×n, finite, stored in full
 /// @param count     at least 1; at most n are returned
+/// @param positions n×3, where the unknowns lie, for a better ordering; without rows, the graph alone decides
 /// @return min(count, n) pairs.   Cost: two sparse factorisations and about 2·count solves, more for multiple
 ///         eigenvalues; O(n³) for n ≤ 100 or count > n/4
-/// @error bad_argument (not square, not finite, not symmetric; count < 1), not_converged, out_of_memory, cancelled
-Result<Eigenpairs> lowest_eigenpairs(const SparseMatrix& symmetric, Index count, Monitor monitor = {});
+/// @error bad_argument (not square, compressed, finite and symmetric; count < 1), not_converged, out_of_memory,
+/// cancelled
+Result<Eigenpairs> lowest_eigenpairs(const SparseMatrix& symmetric, Index count, Monitor monitor = {},
+                                     const Points& positions = {});
+
+/// The same for S x = μ M x: the eigenpairs of M^-½ S M^-½, whose vectors M^-½ makes M-orthonormal. Residuals are
+/// |S x - μ M x| in the norm of M⁻¹, and held to eigenpair_tolerance of |M^-½ S M^-½|∞. Rows that are empty in both
+/// matrices are in no equation: they are left out, and vectors are 0 there.
+/// @param mass n×n, diagonal
+/// @error mass_not_positive (element = row), bad_argument (also where M is not diagonal or S and M do not fit), and as
+///        above
+Result<Eigenpairs> lowest_eigenpairs(const SparseMatrix& symmetric, const SparseMatrix& mass, Index count,
+                                     Monitor monitor = {}, const Points& positions = {});
 
 /// The largest eigenvalue of a symmetric matrix, by Lanczos: at most the true one, and within 1e-6 of |S|∞ of an
 /// eigenvalue (in practice 1e-9 of the largest).
