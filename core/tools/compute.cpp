@@ -20,6 +20,12 @@ std::string describe(const OperatorSpec& spec, const OperatorInfo& info) {
     return text;
 }
 
+std::string solve_text(const SmoothingSolve& solve) {
+    std::string text = "last step solved by " + std::string(solver_name(solve.solver));
+    if (solve.iterations > 0) text += ", " + std::to_string(solve.iterations) + " iterations";
+    return text + "\n";
+}
+
 }  // namespace
 
 Result<Outputs> matrix(const MeshChoice& mesh, const OperatorChoice& choice, const std::string& stiffness_path,
@@ -50,7 +56,9 @@ Result<Outputs> smooth(const MeshChoice& mesh, const OperatorChoice& choice, con
         return in_file(mesh.path, status.error());
     auto output = mesh_output(session->surface(side), path);
     if (!output) return output.error();
-    return Outputs{*std::move(output)};
+    Outputs outputs{*std::move(output)};
+    if (path != "-") outputs.push_back({"-", solve_text(session->last_solve(side).value())});
+    return outputs;
 }
 
 Result<Outputs> harmonic(const MeshChoice& mesh, const OperatorChoice& choice, const std::string& fixed_path,

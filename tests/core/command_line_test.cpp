@@ -204,7 +204,9 @@ TEST_F(CommandLine, SmoothTakesTheSessionsSteps) {
         ASSERT_TRUE(session->smooth(side, {.time = 0.25 * h2, .steps = 3, .rebuild = rebuild}).ok());
 
         const std::string flags = rebuild ? " -o out.obj" : " --keep-operator -o out.obj";
-        succeed("smooth '" + torus + "' --operator alexa-wardetzky --set lambda=0.5 --time-h2 0.25 --steps 3" + flags);
+        const std::string said = succeed(
+            "smooth '" + torus + "' --operator alexa-wardetzky --set lambda=0.5 --time-h2 0.25 --steps 3" + flags);
+        EXPECT_EQ(said, "last step solved by cholesky\n");
         const PolygonMesh smoothed = load(path("out.obj"));
         EXPECT_EQ(smoothed.connectivity()->corners, session->mesh().connectivity()->corners);
         EXPECT_EQ(smoothed.positions(), session->surface(side).positions());

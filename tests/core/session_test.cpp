@@ -210,6 +210,25 @@ TEST(Session, SmoothsWithOrWithoutRebuilding) {
     }
 }
 
+TEST(Session, SaysHowAStepWasSolved) {
+    Session session = open_mesh(get(add_normal_noise(get(make_torus(70, 60)), 0.2, 3)));
+    EXPECT_FALSE(session.last_solve(Side::a).has_value());
+    const double h2 = session.shape(Side::a).measures.mean_squared_edge;
+    check(session.smooth(Side::a, {.time = 0.01 * h2}));
+    ASSERT_TRUE(session.last_solve(Side::a).has_value());
+    EXPECT_EQ(session.last_solve(Side::a)->solver, SmoothingSolver::conjugate_gradients);
+    EXPECT_GT(session.last_solve(Side::a)->iterations, 0);
+    EXPECT_FALSE(session.last_solve(Side::b).has_value());
+    check(session.smooth(Side::b, {.time = 1e4 * h2}));
+    EXPECT_EQ(session.last_solve(Side::b)->solver, SmoothingSolver::cholesky);
+    EXPECT_FALSE(session.smooth(Side::b, {.time = -1}).ok());
+    EXPECT_TRUE(session.last_solve(Side::b).has_value()) << "a call that fails changes nothing";
+    session.reset(Side::b);
+    EXPECT_FALSE(session.last_solve(Side::b).has_value());
+    check(session.restore(Side::a, session.mesh().positions(), 4));
+    EXPECT_FALSE(session.last_solve(Side::a).has_value());
+}
+
 TEST(Session, StepsInOneCallOrInMany) {
     Session once = open_mesh(noisy_torus());
     Session often = open_mesh(noisy_torus());

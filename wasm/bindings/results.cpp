@@ -39,6 +39,11 @@ val told(const Session::Shape& shape) {
                   entry("meanSquaredEdge", shape.measures.mean_squared_edge));
 }
 
+val told(const std::optional<SmoothingSolve>& solve) {
+    if (!solve) return val::null();
+    return object(entry("solver", std::string(solver_name(solve->solver))), entry("iterations", solve->iterations));
+}
+
 val told(const Session::Repairs& repairs) {
     const auto change = [](const RepairChange& made) {
         return object(entry("kind", std::string(repair_name(made.kind))), entry("elements", array(made.elements)),

@@ -8,6 +8,8 @@
 namespace polylap::js {
 
 val told(const Session::Shape& shape);
+/// null where there is none
+val told(const std::optional<SmoothingSolve>& solve);
 val told(const Session::Repairs& repairs);
 val told(const Session::Weights& weights);
 val told(const Session::Harmonic& harmonic);

@@ -155,6 +155,13 @@ export interface SmoothOptions {
   rebuild?: boolean;
 }
 
+/** How a step was solved: by a factor, or iteratively where that is expected to take less time. */
+export interface SmoothingSolve {
+  solver: 'cholesky' | 'lu' | 'conjugate-gradients';
+  /** Of conjugate gradients; 0 otherwise. */
+  iterations: number;
+}
+
 export interface Smoothed {
   /** Steps since the loaded mesh. */
   step: number;
@@ -163,6 +170,8 @@ export interface Smoothed {
   /** 3V, as they are. */
   coordinates: Float64Array;
   stats: Shape;
+  /** The last step; null where none of this session led to the surface. */
+  solve: SmoothingSolve | null;
 }
 
 export interface FixedValues {

@@ -1,4 +1,15 @@
-import type { Check, ConvergenceStudy, Dual, Harmonic, Matrices, Mesh, Shape, Side, Weights } from './polylap.js';
+import type {
+  Check,
+  ConvergenceStudy,
+  Dual,
+  Harmonic,
+  Matrices,
+  Mesh,
+  Shape,
+  Side,
+  SmoothingSolve,
+  Weights,
+} from './polylap.js';
 
 /** What the core said about one side's surface. A string stands where it said why not. */
 export interface SideResults {
@@ -7,6 +18,8 @@ export interface SideResults {
   /** 3V, relative to the geometry's origin. */
   positions: Float32Array;
   shape: Shape | null;
+  /** The step that led here. */
+  solve: SmoothingSolve | null;
   weights: Weights | string | null;
   harmonic: Harmonic | string | null;
   matrices: Matrices | string | null;
@@ -59,6 +72,7 @@ export function freshSide(positions: Float32Array = new Float32Array(0)): SideRe
     step: 0,
     positions,
     shape: null,
+    solve: null,
     weights: null,
     harmonic: null,
     matrices: null,

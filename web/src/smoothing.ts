@@ -122,7 +122,7 @@ export class Smoothing {
     }
     const { positions } = mesh.geometry;
     for (const side of sides) {
-      app.patch(mesh, side, { step: 0, positions });
+      app.patch(mesh, side, { step: 0, positions, solve: null });
       void app.answers.measure(mesh, side);
     }
     app.answers.updateBoth();
@@ -130,6 +130,6 @@ export class Smoothing {
   }
 }
 
-function surfaceOf({ step, positions, stats }: Smoothed) {
-  return { step, positions, shape: stats };
+function surfaceOf({ step, positions, stats, solve }: Smoothed) {
+  return { step, positions, shape: stats, solve };
 }

@@ -1,6 +1,7 @@
 import type { App } from '../app.js';
 import { h } from '../dom.js';
 import { count, real } from '../format.js';
+import type { SmoothingSolve } from '../polylap.js';
 import { sides } from '../state.js';
 import { button, numberField, slider } from './controls.js';
 import { sideTable } from './table.js';
@@ -23,6 +24,11 @@ export function transport(app: App): HTMLElement {
     },
   );
   return h('div', { class: 'buttons transport' }, play, step, reset);
+}
+
+function solverText({ solver, iterations }: SmoothingSolve): string {
+  if (solver === 'conjugate-gradients') return `${count(iterations)} conjugate gradient steps`;
+  return solver === 'cholesky' ? 'a Cholesky factor' : 'an LU factor';
 }
 
 /** Implicit smoothing on both sides in step. */
@@ -55,6 +61,7 @@ export function smoothPanel(app: App): HTMLElement {
     { id: 'volume', name: 'volume' },
   ]);
   const whyNoVolume = h('p', { class: 'note' });
+  const solvers = h('p', { class: 'note', 'data-value': 'solvers' });
   const element = h(
     'div',
     { class: 'panel-body' },
@@ -77,6 +84,7 @@ export function smoothPanel(app: App): HTMLElement {
         h('span', { class: 'unit' }, h('i', {}, 'h'), '²'),
       ),
       h('label', { class: 'check' }, rebuild, 'Rebuild the operator each step'),
+      solvers,
     ),
     h('section', {}, h('h2', {}, 'Surfaces'), readouts.element, whyNoVolume),
   );
@@ -87,6 +95,16 @@ export function smoothPanel(app: App): HTMLElement {
       track.set(Math.log10(timeH2), `${timeH2} h²`);
       field.set(timeH2);
       rebuild.checked = each;
+    },
+  );
+  app.results.watch(
+    ({ a, b }) => [a.solve, b.solve],
+    (a, b) => {
+      const solved = sides.flatMap((side) => {
+        const solve = { a, b }[side];
+        return solve ? [`${side.toUpperCase()} by ${solverText(solve)}`] : [];
+      });
+      solvers.textContent = solved.length > 0 ? `Solved ${solved.join(', ')}.` : '';
     },
   );
   for (const side of sides) {
