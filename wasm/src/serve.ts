@@ -170,7 +170,8 @@ class Server {
   /** One step a call, so that a cancellation gets in between; all steps or none. */
   async #smooth(id: number, session: Session, { side, spec, options, showSteps }: Takes<'smooth'>): Promise<Smoothed> {
     const steps = wholeNumber(fields(options, 'smoothing options').steps ?? 1, 'steps', 1);
-    const before = session.surface({ side });
+    // One step alone leaves the surface as it was if it fails.
+    const before = steps > 1 ? session.surface({ side }) : undefined;
     try {
       for (let k = 0; ; ++k) {
         const onProgress = (fraction: number) => this.#progress(id, (k + fraction) / steps);
@@ -182,7 +183,7 @@ class Server {
         if (this.#cancelled === id) throw new PolylapError('cancelled', 'smoothing was cancelled');
       }
     } catch (error) {
-      if (!(error instanceof CoreStopped)) session.restore(before, { side });
+      if (before && !(error instanceof CoreStopped)) session.restore(before, { side });
       throw error;
     }
   }
