@@ -72,11 +72,17 @@ const jobs = {
     record.time('area and volume', () => session.shape());
     record.time('weights', () => session.weights(spec));
     record.heap('heap, weights');
-    const time = session.info().meanSquaredEdge;
+    const { meanSquaredEdge } = session.info();
+    // So long that it takes a factor.
+    const time = 1e4 * meanSquaredEdge;
     record.time('smoothing step, first', () => session.smooth(spec, { time }));
-    record.heap('heap, smoothed');
-    record.time('smoothing step', () => session.smooth(spec, { time }));
     record.heap('heap');
+    record.time('smoothing step', () => session.smooth(spec, { time }));
+    record.time('small smoothing step', () => session.smooth(spec, { time: meanSquaredEdge }));
+    record.heap('heap, three steps');
+    const pins = { vertices: [0, (side * side) >> 1], values: [0, 1] };
+    record.time('harmonic', () => session.harmonic(spec, pins));
+    record.heap('heap, harmonic as well');
     return record.rows;
   },
 };
