@@ -9,10 +9,9 @@ namespace {
 
 /// Ten pins all over the mesh, and one more.
 std::vector<Index> pins_of(const PolygonMesh& mesh) {
-    std::vector<Index> pins;
-    for (Index k = 0; k < 11; ++k)
-        pins.push_back(
-            static_cast<Index>((std::int64_t{k} * 7919 * mesh.vertex_count() / 100'003) % mesh.vertex_count()));
+    std::vector<Index> pins(11);
+    for (std::size_t k = 0; k < pins.size(); ++k)
+        pins[k] = static_cast<Index>(k * 7919 * static_cast<std::size_t>(mesh.vertex_count()) / 100'003);
     return pins;
 }
 
