@@ -3,7 +3,7 @@
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { build, configure, ensurePackages, root, run, runMain } from '../../.ci/build.mjs';
+import { build, configure, ensureModules, ensurePackages, root, run, runMain } from '../../.ci/build.mjs';
 import { resultsMarkdown, withSpeed } from './results.mjs';
 
 const path = (name) => join(root, name);
@@ -40,6 +40,8 @@ const parts = {
     await run(path('build/bench/tests/bench/polylap_bench'), ['--json', json, ...limits], { env });
   },
   async browser(json) {
+    await ensurePackages('browser');
+    await ensureModules();
     await run(process.execPath, [path('tests/bench/browser/run.mjs'), json, ...limits]);
   },
 };

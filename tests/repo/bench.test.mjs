@@ -19,7 +19,21 @@ it('shows the results as they are stored (else run: npm run bench write)', () =>
 });
 
 it('has a line per target, and numbers for every native target', () => {
-  const text = resultsMarkdown(stored);
+  const about = { date: '2026-01-02T03:04:05Z', commit: 'abc' };
+  const inBrowser = {
+    'native solve': 10,
+    solve: 14,
+    analysis: 30,
+    factor: 20,
+    'Eigen analysis': 10,
+    'Eigen factor': 180,
+  };
+  const browserRows = Object.entries(inBrowser).map(([name, value]) => ({ name, n: 250000, unit: 'ms', value }));
+  const browser = { ...about, machine: { browser: 'Chromium 1' }, rows: browserRows };
+  const text = resultsMarkdown({ native: { ...about, machine, rows }, browser });
+  expect(text).toContain('- Browser: 2026-01-02, commit abc; Chromium 1\n');
+  expect(text).toMatch(/same WebAssembly, 250k \| ≥ 3\.5× \| from scratch 3\.80×; numbers 9\.00× \| ✓ met/);
+  expect(text).toMatch(/WebAssembly over native.* solve 250k 1\.40×/);
   for (const { what, target } of targets) expect(text).toContain(`| ${what} | ${target} |`);
   const find = lookUp(stored);
   const measured = targets.filter(({ what }) => !/browser|Chromium|WebAssembly/i.test(what));
