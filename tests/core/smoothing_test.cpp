@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include <Eigen/LU>
@@ -177,6 +178,22 @@ TEST(ImplicitSmoother, FactorsOnceEnoughStepsWereIterated) {
     check(smoother.update(m, time));  // another system, as far as the smoother knows; the analysis is no cost any more
     ASSERT_NE(smoother.analysis(), nullptr);
     EXPECT_TRUE(smoother.analysis()->fits(m.stiffness));
+}
+
+// A new system each step: the first ones are iterated, until an analysis would have paid for itself.
+TEST(ImplicitSmoother, AnalysesOnceEnoughSystemsWereIterated) {
+    const PolygonMesh mesh = large_torus();
+    const auto m = build(mesh, operators().front());
+    ImplicitSmoother smoother;
+    std::vector<SmoothingSolver> solvers;
+    for (int k = 0; k < 60; ++k) {
+        check(smoother.update(m, 12 * squared_edge(m)));
+        get(smoother.step(mesh.positions()));
+        solvers.push_back(smoother.last_solve().solver);
+    }
+    EXPECT_EQ(solvers.front(), SmoothingSolver::conjugate_gradients);
+    EXPECT_EQ(solvers.back(), SmoothingSolver::cholesky);
+    EXPECT_TRUE(std::is_sorted(solvers.rbegin(), solvers.rend())) << "never back";
 }
 
 // Conjugate gradients find out only while they run; the factor names the vertex.

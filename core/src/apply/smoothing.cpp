@@ -149,9 +149,13 @@ Status ImplicitSmoother::build(const OperatorMatrices& matrices, double time) {
     return Done{};
 }
 
+SmoothingCost ImplicitSmoother::cost() const {
+    return {static_cast<double>(system_.rows()), static_cast<double>(system_.nonZeros()),
+            analysed_ ? analysis().get() : nullptr, lost_without_analysis_};
+}
+
 double ImplicitSmoother::iterations_worth_a_factor() const {
-    const SmoothingCost cost{static_cast<double>(system_.rows()), static_cast<double>(system_.nonZeros()),
-                             analysed_ ? analysis().get() : nullptr};
+    const SmoothingCost cost = this->cost();
     const double factor = cost.factor() + steps_to_come_ * cost.solve();
     return (factor / cost.iteration() - iterations_spent_) / steps_to_come_ - SmoothingCost::preparing;
 }
@@ -225,6 +229,7 @@ Result<Points> ImplicitSmoother::iterate(const Points& points, const Points& rhs
     const int iterations = moved ? moved->iterations : options.most_iterations;
     if (moved || failed) {
         iterations_spent_ += iterations;
+        lost_without_analysis_ += cost().loss(iterations);
         // So that what failed is not tried again on a system like it.
         iterations_per_root_condition_ = (iterations + 1) / std::sqrt(condition_);
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -15,6 +16,7 @@ struct SmoothingCost {
     double rows = 0;
     double entries = 0;                  ///< Of the system.
     const SpdAnalysis* known = nullptr;  ///< Null: the analysis is still to be made.
+    double lost = 0;                     ///< By steps that an analysis would have made cheaper.
 
     /// Iterations per root of the mean of (M_ii + t Σ|S_ij|) / M_ii. Measured: 4 to 5 for t from 0.1 to 100 h² on tori,
     /// spheres and Voronoi cells, 3 where iterations are few, 8 with slivers.
@@ -24,11 +26,17 @@ struct SmoothingCost {
     static constexpr double preparing = 3;
 
     double iteration() const { return 2.4e-9 * entries; }
-    double factor() const { return analysis() + seconds_per_flop() * flops() + 6e-9 * factor_entries(); }
+    double factor() const { return analysis() + numeric(); }
     double solve() const { return 3e-9 * factor_entries(); }
+    /// What a step of so many iterations cost beyond a step with the analysis at hand.
+    double loss(int iterations) const {
+        return std::max(0.0, (iterations + preparing) * iteration() - numeric() - solve());
+    }
 
 private:
-    double analysis() const { return known == nullptr ? 1.6e-6 * rows : 0; }
+    // As it serves all later steps, what went without it counts towards it.
+    double analysis() const { return known == nullptr ? std::max(0.0, 1.6e-6 * rows - lost) : 0; }
+    double numeric() const { return seconds_per_flop() * flops() + 6e-9 * factor_entries(); }
     // Nested dissection of a grid, of which surfaces have the separators: O(n^1.5) and O(n log n) (George 1973).
     double flops() const { return known == nullptr ? 55 * std::pow(rows, 1.5) : known->factor_flops(); }
     double factor_entries() const {

@@ -7,6 +7,8 @@
 
 namespace polylap {
 
+struct SmoothingCost;
+
 enum class SmoothingSolver : std::uint8_t { cholesky, lu, conjugate_gradients };
 
 /// E.g. "conjugate-gradients": what JavaScript and the command line show.
@@ -64,6 +66,7 @@ public:
 
 private:
     Status build(const OperatorMatrices& matrices, double time);
+    SmoothingCost cost() const;
     /// Up to how many a step cost less than the factor, of what it takes to go on from here.
     double iterations_worth_a_factor() const;
     bool iterations_pay() const;
@@ -84,6 +87,7 @@ private:
     bool analysed_ = false;                 ///< analysis() is of its pattern.
     bool factored_ = false;                 ///< factor_ is its factor.
     double iterations_per_root_condition_;  ///< As the last iterative step had them.
+    double lost_without_analysis_ = 0;      ///< Seconds, over all systems.
     int iterations_spent_ = 0;              ///< On this system.
     SmoothingSolve last_;
 };
