@@ -22,7 +22,7 @@ struct Face {
     std::span<const Index, n> vertices;
     std::span<const Vector3, n> x;
     Vector3 vector_area;
-    double area;  ///< |vector_area|, not zero as has_zero_area has it.
+    double area = 0;  ///< |vector_area|, not zero as has_zero_area has it.
 };
 
 template <std::size_t n>
