@@ -1,5 +1,5 @@
 # polylap_wide_kernels(): the dense kernels once more for wider vectors, on x86-64; the library picks at run time what the machine
-# has. No other file may be compiled so: see kernels_body.hpp.
+# has. No other file may be compiled so: see kernels_body.inc.
 include(CheckCXXSourceCompiles)
 
 function(polylap_wide_kernels)

@@ -60,11 +60,15 @@ Matrix some_rhs(Eigen::Index n, Eigen::Index k) {
     return b;
 }
 
-TEST(Supernodal, OrdersCountsAndSolvesEveryPattern) {
+/// With minimum degree where the system is small, and with nested dissection throughout.
+class Ordered : public ::testing::TestWithParam<Index> {};
+INSTANTIATE_TEST_SUITE_P(Supernodal, Ordered, ::testing::Values(0, minimum_degree_size));
+
+TEST_P(Ordered, CountsAndSolvesEveryPattern) {
     for (const System& system : sparse_systems()) {
         for (std::size_t where = 0; where < system.positions.size(); ++where) {
             SCOPED_TRACE(system.name + ", positions " + std::to_string(where));
-            const Symbolic symbolic = get(analyse_pattern(system.a, system.positions[where], {}));
+            const Symbolic symbolic = get(analyse_pattern(system.a, system.positions[where], {}, GetParam()));
             EXPECT_TRUE(is_permutation(symbolic.original));
             EXPECT_EQ(symbolic.entries, entries_by_elimination(system.a, symbolic.original));
             EXPECT_GE(symbolic.flops, symbolic.entries);
@@ -82,7 +86,7 @@ TEST(Supernodal, OrdersCountsAndSolvesEveryPattern) {
     }
 }
 
-TEST(Supernodal, SolvesOnTheWholeZoo) {
+TEST_P(Ordered, SolvesOnTheWholeZoo) {
     for (const Specimen& specimen : zoo()) {
         SCOPED_TRACE(specimen.name);
         for (const OperatorInfo* info : operators()) {
@@ -97,7 +101,7 @@ TEST(Supernodal, SolvesOnTheWholeZoo) {
             SparseMatrix identity(s.rows(), s.cols());
             identity.setIdentity();
             const SparseMatrix a = s + (scale > 0 ? 1e-6 * scale : 1.0) * identity;
-            const Symbolic symbolic = get(analyse_pattern(a, specimen.mesh.positions(), {}));
+            const Symbolic symbolic = get(analyse_pattern(a, specimen.mesh.positions(), {}, GetParam()));
             for (const dense::Kernels* kernels : dense::kernels()) {
                 Numeric numeric(*kernels);
                 const Status status = numeric.factor(symbolic, a, {});
@@ -112,18 +116,18 @@ TEST(Supernodal, SolvesOnTheWholeZoo) {
     }
 }
 
-TEST(Supernodal, KeepsTheFillOfGridsLow) {
+TEST_P(Ordered, KeepsTheFillOfGridsLow) {
     // n log₂ n entries times 31/4 is George's bound for the nine-point stencil on a square; this is to notice when an
     // ordering goes astray, not to tell how good it is.
     const System grid = grid_system(64, 60);
     const auto n = static_cast<double>(grid.a.rows());
     for (std::size_t where = 0; where < grid.positions.size(); ++where) {
-        const Symbolic symbolic = get(analyse_pattern(grid.a, grid.positions[where], {}));
+        const Symbolic symbolic = get(analyse_pattern(grid.a, grid.positions[where], {}, GetParam()));
         EXPECT_LE(static_cast<double>(symbolic.entries), 3.3 * n * std::log2(n)) << where;
     }
     for (const System& system : sparse_systems()) {
         if (system.name != "tridiagonal" && system.name != "arrow" && system.name != "pairs") continue;
-        const Symbolic symbolic = get(analyse_pattern(system.a, Points(0, 3), {}));
+        const Symbolic symbolic = get(analyse_pattern(system.a, Points(0, 3), {}, GetParam()));
         EXPECT_LE(symbolic.entries, 3 * system.a.rows()) << system.name;  // none would be 2 n
     }
 }
@@ -131,8 +135,8 @@ TEST(Supernodal, KeepsTheFillOfGridsLow) {
 TEST(Supernodal, IsTheSameEachTime) {
     const System grid = grid_system(64, 60);
     for (const Points& positions : grid.positions) {
-        const Symbolic first = get(analyse_pattern(grid.a, positions, {}));
-        const Symbolic second = get(analyse_pattern(grid.a, positions, {}));
+        const Symbolic first = get(analyse_pattern(grid.a, positions, {}, 0));
+        const Symbolic second = get(analyse_pattern(grid.a, positions, {}, 0));
         EXPECT_EQ(first.original, second.original);
         const Matrix b = some_rhs(grid.a.rows(), 2);
         Numeric one;

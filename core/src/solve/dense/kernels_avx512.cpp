@@ -3,7 +3,7 @@
 #define POLYLAP_LANES 8
 #define POLYLAP_TILE_VECTORS 3
 #define POLYLAP_TILE_COLUMNS 8
-#include "solve/dense/kernels_body.hpp"
+#include "solve/dense/kernels_body.inc"
 
 namespace polylap::dense {
 

@@ -1,7 +1,7 @@
 #define POLYLAP_LANES 2
 #define POLYLAP_TILE_VECTORS 2
 #define POLYLAP_TILE_COLUMNS 4
-#include "solve/dense/kernels_body.hpp"
+#include "solve/dense/kernels_body.inc"
 
 namespace polylap::dense {
 

@@ -75,22 +75,25 @@ void MinimumDegree::order(std::span<Index> vertices) {
 
 void order_by_amd(const Graph& graph, std::span<Index> vertices) {
     const auto n = static_cast<Index>(vertices.size());
+    if (n < 2) return;
     std::vector<Index> local(static_cast<std::size_t>(graph.size()), -1);
     for (Index k = 0; k < n; ++k)
         local[static_cast<std::size_t>(vertices[static_cast<std::size_t>(k)])] = k;
     std::vector<Index> outer{0};
     std::vector<Index> inner;
     for (const Index v : vertices) {
+        inner.push_back(local[static_cast<std::size_t>(v)]);  // without its diagonal, Eigen puts a row last
         for (const Index u : graph.around(v)) {
             if (const Index k = local[static_cast<std::size_t>(u)]; k >= 0) inner.push_back(k);
         }
+        std::sort(inner.begin() + outer.back(), inner.end());
         outer.push_back(static_cast<Index>(inner.size()));
     }
     const std::vector<double> ones(inner.size(), 1);  // the ordering wants a matrix, but reads its pattern alone
-    const Eigen::Map<const SparseMatrix> pattern(n, n, outer.back(), outer.data(), inner.data(), ones.data());
+    const SparseMatrix pattern =
+        Eigen::Map<const SparseMatrix>(n, n, outer.back(), outer.data(), inner.data(), ones.data());
     Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, Index> permutation;
-    SparseMatrix copy = pattern;
-    Eigen::AMDOrdering<Index>()(copy, permutation);
+    Eigen::AMDOrdering<Index>()(pattern, permutation);
     std::vector<Index> ordered(vertices.size());
     for (Index k = 0; k < n; ++k) {
         ordered[static_cast<std::size_t>(k)] = vertices[static_cast<std::size_t>(permutation.indices()[k])];

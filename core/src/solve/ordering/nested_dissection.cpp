@@ -136,9 +136,14 @@ private:
 
 }  // namespace
 
-std::vector<Index> fill_reducing_order(const Graph& graph, const Points& positions, const Monitor& monitor) {
+std::vector<Index> fill_reducing_order(const Graph& graph, const Points& positions, const Monitor& monitor,
+                                       Index dissect_above) {
     std::vector<Index> order(static_cast<std::size_t>(graph.size()));
     std::iota(order.begin(), order.end(), 0);
+    if (graph.size() <= dissect_above) {
+        order_by_amd(graph, order);
+        return order;
+    }
     // Rows that meet a good part of the others go last, as in AMD: they would be in every separator.
     const double dense = std::max(16.0, 10 * std::sqrt(static_cast<double>(graph.size())));
     const auto end = std::stable_partition(

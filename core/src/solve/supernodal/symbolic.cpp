@@ -12,7 +12,6 @@
 
 #include "solve/dense/kernels.hpp"
 #include "solve/ordering/graph.hpp"
-#include "solve/ordering/nested_dissection.hpp"
 #include "solve/supernodal/elimination_tree.hpp"
 
 namespace polylap {
@@ -61,7 +60,6 @@ double trapezoid(double columns, double below) {
 /// Children's columns go before the parent's; the rows below stay the parent's.
 void merge(Merging& m) {
     const auto count = static_cast<Index>(m.first.size());
-    std::vector<std::vector<Index>> none;
     std::vector<Index> first_child(at(count), -1);
     std::vector<Index> sibling(at(count), -1);
     for (Index s = count - 1; s >= 0; --s) {
@@ -92,12 +90,13 @@ void merge(Merging& m) {
     }
 }
 
-/// Most doubles on the stack while a supernode's subtree is eliminated, and what stays there.
+/// Doubles that a supernode leaves on the stack.
 std::size_t square(Index below) {
     return at(below) * at(below);
 }
 
 /// Order of the supernodes that remain: a postorder with the greediest child first.
+/// @param stack the most doubles on the stack at once
 std::vector<Index> order_supernodes(const Merging& m, std::vector<Index>& parent, std::size_t& stack) {
     const auto count = static_cast<Index>(m.first.size());
     parent.assign(at(count), -1);
@@ -106,7 +105,6 @@ std::vector<Index> order_supernodes(const Merging& m, std::vector<Index>& parent
             s = m.into[at(s)];
         return s;
     };
-    std::vector<std::vector<Index>> unused;
     std::vector<Index> start(at(count) + 1, 0);
     for (Index s = 0; s < count; ++s) {
         if (m.into[at(s)] >= 0 || m.parent[at(s)] < 0) continue;
@@ -254,14 +252,15 @@ void find_entries(const Graph& graph, const std::vector<Index>& place, Symbolic&
 
 }  // namespace
 
-Result<Symbolic> analyse_pattern(const SparseMatrix& a, const Points& positions, const Monitor& monitor) {
+Result<Symbolic> analyse_pattern(const SparseMatrix& a, const Points& positions, const Monitor& monitor,
+                                 Index dissect_above) {
     const Error cancelled{ErrorCode::cancelled, "cancelled"};
     if (!monitor.proceed(0)) return cancelled;
     const Graph graph(a);
     Symbolic symbolic;
     symbolic.size = graph.size();
     Stretch ordering{monitor, 0.1, 0.7};
-    symbolic.original = fill_reducing_order(graph, positions, ordering.monitor());
+    symbolic.original = fill_reducing_order(graph, positions, ordering.monitor(), dissect_above);
     if (symbolic.original.size() != at(symbolic.size)) return cancelled;
     Merging merging;
     {

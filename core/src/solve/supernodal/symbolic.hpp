@@ -6,6 +6,7 @@
 #include "polylap/base/monitor.hpp"
 #include "polylap/base/result.hpp"
 #include "polylap/base/types.hpp"
+#include "solve/ordering/nested_dissection.hpp"
 
 namespace polylap {
 
@@ -43,8 +44,9 @@ struct Symbolic {
     Index columns(std::size_t s) const { return supernodes[s + 1].first - supernodes[s].first; }
 };
 
-/// @param a square, compressed   @param positions n×3 or no rows
+/// @param a square, compressed   @param positions n×3 or no rows   @param dissect_above see fill_reducing_order
 /// @error out_of_memory, cancelled
-Result<Symbolic> analyse_pattern(const SparseMatrix& a, const Points& positions, const Monitor& monitor);
+Result<Symbolic> analyse_pattern(const SparseMatrix& a, const Points& positions, const Monitor& monitor,
+                                 Index dissect_above = minimum_degree_size);
 
 }  // namespace polylap
