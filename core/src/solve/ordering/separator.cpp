@@ -33,7 +33,6 @@ Splitter::Splitter(const Graph& graph, const Points& positions)
       locked_(at(graph.size()), 0) {
     for (auto& heads : head_)
         heads.fill(-1);
-    top_.fill(0);
 }
 
 void Splitter::mark(std::span<const Index> region) {

@@ -85,8 +85,8 @@ private:
     // A vertex of the separator can move to either side: node 2v + side, in a list of nodes of the same gain.
     static constexpr Index worst = -32;
     static constexpr std::size_t levels = 34;  ///< Gains from `worst` to 1.
-    std::array<std::array<Index, levels>, 2> head_;
-    std::array<std::size_t, 2> top_;
+    std::array<std::array<Index, levels>, 2> head_{};
+    std::array<std::size_t, 2> top_{};
     std::vector<Index> next_, previous_, gain_;
     std::vector<std::uint8_t> locked_;
     std::vector<Index> separator_, pulled_;
