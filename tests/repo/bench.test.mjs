@@ -54,7 +54,8 @@ it('makes a table from a small run', () => {
   };
   const about = { date: '2026-01-02T03:04:05Z', commit: 'abc' };
   const inBrowser = {
-    'native solve': 10,
+    'native solve': 7,
+    'native solve, two lanes': 10,
     solve: 14,
     analysis: 30,
     factor: 20,
@@ -66,7 +67,7 @@ it('makes a table from a small run', () => {
   const text = resultsMarkdown({ native: { ...about, machine, rows }, browser });
   expect(text).toContain('- Browser: 2026-01-02, commit abc; Chromium 1\n');
   expect(text).toMatch(/same WebAssembly, 250k \| ≥ 3\.5× \| from scratch 3\.80×; numbers 9\.00× \| ✓ met/);
-  expect(text).toMatch(/WebAssembly over native.* solve 250k 1\.40×/);
+  expect(text).toMatch(/WebAssembly over native.* solve 250k 1\.40×; best kernels 2\.00×/);
   expect(text).toContain('- Native: 2026-01-02, commit abc; C, `-O3`, kernels: K; L 1\n');
   expect(text).toMatch(
     /Eigen LDLT with AMD \|.*\| 100k from scratch 4\.50×; 100k numbers 5\.00×; 250k .* not measured/,
