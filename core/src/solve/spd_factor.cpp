@@ -1,18 +1,51 @@
 #include "polylap/solve/spd_factor.hpp"
 
-#include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "solve/supernodal/numeric.hpp"
 #include "solve/supernodal/symbolic.hpp"
 
 namespace polylap {
+namespace {
+
+/// Of where a matrix's entries are: two hashes of 64 bits, which no two patterns share by chance. Keeping the pattern
+/// itself would take as much memory as all else that an analysis knows.
+struct Fingerprint {
+    std::uint64_t first = 0x9e3779b97f4a7c15;
+    std::uint64_t second = 0xc2b2ae3d27d4eb4f;
+
+    explicit Fingerprint(const SparseMatrix& a) {
+        add(a.outerIndexPtr(), a.outerSize() + 1);
+        add(a.innerIndexPtr(), a.nonZeros());
+    }
+    bool operator==(const Fingerprint&) const = default;
+
+private:
+    void add(const Index* indices, Eigen::Index count) {
+        const auto word = [&](Eigen::Index k) {
+            return static_cast<std::uint64_t>(static_cast<std::uint32_t>(indices[k]));
+        };
+        Eigen::Index k = 0;
+        for (; k + 1 < count; k += 2)
+            mix(word(k) << 32 | word(k + 1));
+        if (k < count) mix(word(k));
+    }
+    /// Each step can be undone, so that patterns that differ in one place never meet again by it.
+    void mix(std::uint64_t word) {
+        first = std::rotl((first ^ word) * 0xff51afd7ed558ccd, 29);
+        second = std::rotl((second + word) * 0xd6e8feb86659fd93, 37);
+    }
+};
+
+}  // namespace
 
 struct SpdAnalysis::Impl {
-    std::vector<Index> outer, inner;  ///< The analysed pattern.
     Symbolic symbolic;
+    Index entries;  ///< Stored in the analysed matrix.
+    Fingerprint pattern;
 };
 
 SpdAnalysis::SpdAnalysis(std::unique_ptr<const Impl> impl) : impl_(std::move(impl)) {}
@@ -32,18 +65,15 @@ Result<std::shared_ptr<const SpdAnalysis>> SpdAnalysis::create(const SparseMatri
     return guard_memory([&]() -> Result<std::shared_ptr<const SpdAnalysis>> {
         auto symbolic = analyse_pattern(a, positions, monitor);
         if (!symbolic) return symbolic.error();
-        auto impl = std::make_unique<Impl>();
-        impl->symbolic = *std::move(symbolic);
-        impl->outer.assign(a.outerIndexPtr(), a.outerIndexPtr() + a.outerSize() + 1);
-        impl->inner.assign(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros());
+        std::unique_ptr<const Impl> impl(
+            new Impl{*std::move(symbolic), static_cast<Index>(a.nonZeros()), Fingerprint(a)});
         return std::shared_ptr<const SpdAnalysis>(new SpdAnalysis(std::move(impl)));
     });
 }
 
 bool SpdAnalysis::fits(const SparseMatrix& a) const {
-    return a.isCompressed() && a.rows() == size() && static_cast<std::size_t>(a.nonZeros()) == impl_->inner.size() &&
-           std::equal(impl_->outer.begin(), impl_->outer.end(), a.outerIndexPtr()) &&
-           std::equal(impl_->inner.begin(), impl_->inner.end(), a.innerIndexPtr());
+    return a.isCompressed() && a.rows() == size() && a.cols() == size() && a.nonZeros() == impl_->entries &&
+           Fingerprint(a) == impl_->pattern;
 }
 
 Index SpdAnalysis::size() const noexcept {

@@ -1,7 +1,8 @@
 // Multifrontal Cholesky: Duff & Reid, The multifrontal solution of indefinite sparse symmetric linear equations, 1983;
 // Liu, The multifrontal method for sparse matrix solution: theory and practice, 1992. A front is assembled from the
 // matrix and from what its children contribute, its own columns are eliminated, and the rest of it waits on a stack for
-// its parent. The columns are assembled right where the factor keeps them.
+// its parent. The columns are assembled right where the factor keeps them; the stack grows down from the end of the
+// same memory, towards the part of the factor that is not yet there.
 
 #include "solve/supernodal/numeric.hpp"
 
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "polylap/solve/spd_factor.hpp"
+#include "solve/supernodal/panels.hpp"
 
 namespace polylap {
 namespace {
@@ -22,7 +24,6 @@ std::size_t at(Index v) {
 }
 
 std::unique_ptr<double[]> allocate(std::size_t count) {
-    if (count > std::numeric_limits<std::ptrdiff_t>::max() / sizeof(double) - dense::slack) throw std::bad_alloc();
     return std::unique_ptr<double[]>(new double[count + dense::slack]);  // not zeroed: a front is, when its turn comes
 }
 
@@ -35,14 +36,13 @@ public:
           kernels_(kernels),
           monitor_(monitor),
           values_(values),
-          stack_(allocate(symbolic.stack)),
           scratch_(symbolic.largest_front > 64 ? allocate(kernels.scratch_doubles) : nullptr),
           least_(at(symbolic.widest)),
           in_front_(at(symbolic.size)),
           relative_(at(symbolic.largest_front)) {}
 
     Status run() {
-        top_ = stack_.get();
+        top_ = values_ + symbolic_.memory;
         for (std::size_t s = 0; s + 1 < symbolic_.supernodes.size(); ++s) {
             if (Status status = eliminate(s); !status) return status;
         }
@@ -52,52 +52,63 @@ public:
 private:
     Status eliminate(std::size_t s) {
         const auto& supernode = symbolic_.supernodes[s];
-        const auto columns = static_cast<std::ptrdiff_t>(symbolic_.columns(s));
+        const Panels own = symbolic_.panels(s);
+        const std::ptrdiff_t columns = own.columns;
         const std::ptrdiff_t below = supernode.below;
-        const std::ptrdiff_t rows = columns + below;
+        const Panels rest{below, below};  // what this front leaves to its parent
         double* const front = values_ + supernode.values;
-        if (!assemble(s, front, rows)) return not_finite();
-        double* const rest = top_;  // what this front leaves to its parent
-        double* bottom = top_;
+        const auto left = static_cast<std::size_t>(rest.doubles());
+        double* const remainder = top_ - left;
+        if (!assemble(s, front, own)) return not_finite();
         if (supernode.children > 0) {
-            std::memset(rest, 0, sizeof(double) * static_cast<std::size_t>(below * below));
-            bottom = add_children(s, front, rows, rest);
+            std::memset(remainder, 0, sizeof(double) * left);
+            add_children(s, front, own, remainder, rest);
         }
-        // Blocks of columns from the left; each is done with when those to its right know of it.
-        for (std::ptrdiff_t j = 0; j < columns;) {
-            const std::ptrdiff_t width = std::min(dense::block_columns, columns - j);
-            const std::ptrdiff_t end = j + width;
-            double* const corner = front + j * rows + j;
+        // Panels from the left; each is done with when those to its right know of it.
+        for (std::ptrdiff_t j = 0; j < columns; j += Panels::width) {
+            double* const panel = front + own.panel(j);
+            const std::ptrdiff_t stride = own.stride(j);
+            const std::ptrdiff_t width = own.columns_of(j);
             const std::ptrdiff_t refused =
-                kernels_.factor(corner, rows, rows - j, width, least_.data() + j, scratch_.get());
+                kernels_.factor(panel, stride, stride, width, least_.data() + j, scratch_.get());
             if (refused >= 0) return not_positive_definite(supernode.first + static_cast<Index>(j + refused));
-            kernels_.downdate(front + end * rows + end, rows, rows - end, columns - end, corner + width, rows, width,
-                              false, scratch_.get());
             const bool first = j == 0 && supernode.children == 0;
-            kernels_.downdate(rest, below, below, below, corner + columns - j, rows, width, first, scratch_.get());
-            const double right = static_cast<double>(rows - j);
-            done_ += static_cast<double>(width) * right * right;
+            downdate(front, own, j + width, panel + width, stride, width, false);
+            downdate(remainder, rest, 0, panel + columns - j, stride, width, first);
+            done_ += static_cast<double>(width) * static_cast<double>(stride) * static_cast<double>(stride);
             if (!proceed()) return Error{ErrorCode::cancelled, "cancelled"};
-            j = end;
         }
-        if (bottom != rest) std::memmove(bottom, rest, sizeof(double) * static_cast<std::size_t>(below * below));
-        top_ = bottom + below * below;
+        if (supernode.children > 0) {
+            top_ -= left;
+            std::memmove(top_, remainder, sizeof(double) * left);
+        } else {
+            top_ = remainder;
+        }
         pending_.push_back(static_cast<Index>(s));
         return Done{};
     }
 
+    /// Takes A Aᵀ from the panels from column `from` on. @param a A's row of column `from`
+    void downdate(double* c, const Panels& layout, std::ptrdiff_t from, const double* a, std::ptrdiff_t stride,
+                  std::ptrdiff_t depth, bool overwrite) {
+        for (std::ptrdiff_t j = from; j < layout.columns; j += Panels::width) {
+            kernels_.downdate(c + layout.panel(j), layout.stride(j), layout.stride(j), layout.columns_of(j),
+                              a + (j - from), stride, depth, overwrite, scratch_.get());
+        }
+    }
+
     /// The matrix's own entries. @return false if one is not finite
-    bool assemble(std::size_t s, double* front, std::ptrdiff_t rows) {
+    bool assemble(std::size_t s, double* front, const Panels& own) {
         const auto& supernode = symbolic_.supernodes[s];
         const Index columns = symbolic_.columns(s);
-        std::memset(front, 0, sizeof(double) * static_cast<std::size_t>(columns * rows));
+        std::memset(front, 0, sizeof(double) * static_cast<std::size_t>(own.doubles()));
         const double* const values = a_.valuePtr();
         double check = 0;
         for (Index k = 0; k < columns; ++k) {
             const std::size_t j = at(supernode.first + k);
             const auto* entry = symbolic_.entries_in.data() + symbolic_.entry_start[j];
             const auto* const end = symbolic_.entries_in.data() + symbolic_.entry_start[j + 1];
-            double* const column = front + k * rows;
+            double* const column = front + own.column(k);
             const double diagonal = entry->source < 0 ? 0 : values[entry->source];
             column[k] = diagonal;
             check += diagonal * 0;
@@ -111,38 +122,35 @@ private:
         return check == 0;
     }
 
-    /// Adds what the children left on the stack. @return where that begins
-    double* add_children(std::size_t s, double* front, std::ptrdiff_t rows, double* rest) {
+    /// Adds what the children left on the stack, and takes it from there.
+    void add_children(std::size_t s, double* front, const Panels& own, double* remainder, const Panels& rest) {
         const auto& supernode = symbolic_.supernodes[s];
         const Index columns = symbolic_.columns(s);
         for (Index k = 0; k < columns; ++k)
             in_front_[at(supernode.first + k)] = k;
-        for (Index k = 0; k < supernode.below; ++k) {
+        for (Index k = 0; k < supernode.below; ++k)
             in_front_[at(symbolic_.rows[supernode.rows + at(k)])] = columns + k;
-        }
-        double* from = rest;
-        for (Index k = 0; k < supernode.children; ++k) {
+        for (Index c = 0; c < supernode.children; ++c) {
             const auto& child = symbolic_.supernodes[at(pending_.back())];
             pending_.pop_back();
-            from -= at(child.below) * at(child.below);
             for (Index i = 0; i < child.below; ++i) {
                 relative_[at(i)] = in_front_[at(symbolic_.rows[child.rows + at(i)])];
             }
-            add_child(from, child.below, columns, front, rows, rest, supernode.below);
+            const Panels given{child.below, child.below};
+            for (Index j = 0; j < child.below; ++j) {
+                const Index column = relative_[at(j)];
+                double* const to =
+                    column < columns ? front + own.column(column) : remainder + rest.column(column - columns) - columns;
+                add_column(to, top_ + given.column(j), j, child.below);
+            }
+            top_ += given.doubles();
         }
-        return from;
     }
 
-    void add_child(const double* from, Index size, Index columns, double* front, std::ptrdiff_t rows, double* rest,
-                   std::ptrdiff_t below) {
+    void add_column(double* to, const double* from, Index begin, Index end) {
         const Index* const relative = relative_.data();
-        for (Index j = 0; j < size; ++j) {
-            const Index column = relative[j];
-            double* const to = column < columns ? front + column * rows : rest + (column - columns) * below - columns;
-            const double* const source = from + static_cast<std::ptrdiff_t>(j) * size;
-            for (Index i = j; i < size; ++i)
-                to[relative[i]] += source[i];
-        }
+        for (Index i = begin; i < end; ++i)
+            to[relative[i]] += from[i];
     }
 
     bool proceed() {
@@ -174,8 +182,8 @@ private:
     const dense::Kernels& kernels_;
     const Monitor& monitor_;
     double* values_;
-    std::unique_ptr<double[]> stack_, scratch_;
-    double* top_ = nullptr;
+    std::unique_ptr<double[]> scratch_;
+    double* top_ = nullptr;       ///< Of the stack.
     std::vector<Index> pending_;  ///< Supernodes whose contributions are on the stack.
     std::vector<double> least_;
     std::vector<Index> in_front_, relative_;
@@ -185,11 +193,11 @@ private:
 }  // namespace
 
 Status Numeric::factor(const Symbolic& symbolic, const SparseMatrix& a, const Monitor& monitor) {
-    if (capacity_ != symbolic.values) {
+    if (capacity_ != symbolic.memory) {
         values_.reset();
         capacity_ = 0;
-        values_ = allocate(symbolic.values);
-        capacity_ = symbolic.values;
+        values_ = allocate(symbolic.memory);
+        capacity_ = symbolic.memory;
     }
     return Elimination(symbolic, a, *kernels_, values_.get(), monitor).run();
 }
@@ -214,13 +222,15 @@ Matrix Numeric::solve(const Symbolic& symbolic, const Eigen::Ref<const Matrix>& 
             const auto& supernode = symbolic.supernodes[s];
             const std::size_t columns = at(symbolic.columns(s));
             const std::size_t below = at(supernode.below);
-            double* const own = x.data() + at(supernode.first) * w;
-            std::memcpy(front.data(), own, columns * w * sizeof(double));
+            double* const mine = x.data() + at(supernode.first) * w;
+            std::memcpy(front.data(), mine, columns * w * sizeof(double));
             std::memset(front.data() + columns * w, 0, below * w * sizeof(double));
-            const auto rows = static_cast<std::ptrdiff_t>(columns + below);
-            kernels_->forward(values_.get() + supernode.values, rows, rows, static_cast<std::ptrdiff_t>(columns),
-                              front.data(), width);
-            std::memcpy(own, front.data(), columns * w * sizeof(double));
+            const Panels panels = symbolic.panels(s);
+            for (std::ptrdiff_t j = 0; j < panels.columns; j += Panels::width) {
+                kernels_->forward(values_.get() + supernode.values + panels.panel(j), panels.stride(j),
+                                  panels.stride(j), panels.columns_of(j), front.data() + j * width, width);
+            }
+            std::memcpy(mine, front.data(), columns * w * sizeof(double));
             const double* from = front.data() + columns * w;
             for (std::size_t i = 0; i < below; ++i) {
                 double* const to = x.data() + at(symbolic.rows[supernode.rows + i]) * w;
@@ -232,18 +242,22 @@ Matrix Numeric::solve(const Symbolic& symbolic, const Eigen::Ref<const Matrix>& 
             const auto& supernode = symbolic.supernodes[s];
             const std::size_t columns = at(symbolic.columns(s));
             const std::size_t below = at(supernode.below);
-            double* const own = x.data() + at(supernode.first) * w;
-            std::memcpy(front.data(), own, columns * w * sizeof(double));
+            double* const mine = x.data() + at(supernode.first) * w;
+            std::memcpy(front.data(), mine, columns * w * sizeof(double));
             double* to = front.data() + columns * w;
             for (std::size_t i = 0; i < below; ++i) {
                 const double* const from = x.data() + at(symbolic.rows[supernode.rows + i]) * w;
                 for (std::size_t k = 0; k < w; ++k)
                     *to++ = from[k];
             }
-            const auto rows = static_cast<std::ptrdiff_t>(columns + below);
-            kernels_->backward(values_.get() + supernode.values, rows, rows, static_cast<std::ptrdiff_t>(columns),
-                               front.data(), width);
-            std::memcpy(own, front.data(), columns * w * sizeof(double));
+            const Panels panels = symbolic.panels(s);
+            for (std::ptrdiff_t end = panels.columns; end > 0;) {
+                const std::ptrdiff_t j = (end - 1) / Panels::width * Panels::width;
+                kernels_->backward(values_.get() + supernode.values + panels.panel(j), panels.stride(j),
+                                   panels.stride(j), end - j, front.data() + j * width, width);
+                end = j;
+            }
+            std::memcpy(mine, front.data(), columns * w * sizeof(double));
         }
         for (std::size_t j = 0; j < n; ++j) {
             for (Eigen::Index k = 0; k < count; ++k) {

@@ -24,7 +24,7 @@ public:
 
 private:
     const dense::Kernels* kernels_;
-    std::unique_ptr<double[]> values_;  ///< Trapezoids, column-major, columns×(columns + below) each.
+    std::unique_ptr<double[]> values_;  ///< Trapezoids, see Panels; behind them the stack had its place.
     std::size_t capacity_ = 0;
 };
 

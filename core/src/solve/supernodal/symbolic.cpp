@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <new>
 #include <numeric>
-#include <stdexcept>
 
 #include "solve/dense/kernels.hpp"
 #include "solve/ordering/graph.hpp"
@@ -80,7 +80,7 @@ void merge(Merging& m) {
             const double added = double(m.columns[at(c)]) * (m.columns[at(p)] + m.below[at(p)] - m.below[at(c)]);
             const double zeros = m.zeros[at(c)] + m.zeros[at(p)] + added;
             const double share = zeros / trapezoid(columns, m.below[at(p)]);
-            const bool worth = zeros == 0 || (columns <= 4) || (columns <= 16 && share < 0.4) ||
+            const bool worth = zeros == 0 || (columns <= 4) || (columns <= 16 && share < 0.2) ||
                                (columns <= 48 && share < 0.1) || share < 0.03;
             if (!worth) continue;
             m.into[at(c)] = p;
@@ -90,14 +90,18 @@ void merge(Merging& m) {
     }
 }
 
-/// Doubles that a supernode leaves on the stack.
-std::size_t square(Index below) {
-    return at(below) * at(below);
+/// Doubles that a supernode keeps of the factor, and those that it leaves to its parent.
+std::int64_t kept(const Merging& m, Index s) {
+    return Panels{m.columns[at(s)] + m.below[at(s)], m.columns[at(s)]}.doubles();
+}
+std::int64_t left(const Merging& m, Index s) {
+    return Panels{m.below[at(s)], m.below[at(s)]}.doubles();
 }
 
-/// Order of the supernodes that remain: a postorder with the greediest child first.
-/// @param stack the most doubles on the stack at once
-std::vector<Index> order_supernodes(const Merging& m, std::vector<Index>& parent, std::size_t& stack) {
+/// Order of the supernodes that remain: a postorder in which the child comes first that needs the most memory beyond
+/// what its subtree goes on holding.
+/// @param memory the most doubles that the factor so far and the stack take
+std::vector<Index> order_supernodes(const Merging& m, std::vector<Index>& parent, std::size_t& memory) {
     const auto count = static_cast<Index>(m.first.size());
     parent.assign(at(count), -1);
     const auto taken_by = [&](Index s) {
@@ -105,53 +109,59 @@ std::vector<Index> order_supernodes(const Merging& m, std::vector<Index>& parent
             s = m.into[at(s)];
         return s;
     };
-    std::vector<Index> start(at(count) + 1, 0);
+    std::vector<Index> start(at(count) + 2, 0);  // of the children of each, and of the roots
+    const auto lists = [&](auto&& take) {
+        for (Index s = count - 1; s >= 0; --s) {
+            if (m.into[at(s)] < 0) take(s, parent[at(s)] < 0 ? at(count) : at(parent[at(s)]));
+        }
+    };
     for (Index s = 0; s < count; ++s) {
-        if (m.into[at(s)] >= 0 || m.parent[at(s)] < 0) continue;
-        parent[at(s)] = taken_by(m.parent[at(s)]);
-        ++start[at(parent[at(s)])];
+        if (m.into[at(s)] < 0 && m.parent[at(s)] >= 0) parent[at(s)] = taken_by(m.parent[at(s)]);
     }
+    lists([&](Index, std::size_t list) { ++start[list]; });
     std::partial_sum(start.begin(), start.end(), start.begin());
     std::vector<Index> children(at(start.back()));
-    for (Index s = count - 1; s >= 0; --s) {
-        if (m.into[at(s)] < 0 && parent[at(s)] >= 0) children[at(--start[at(parent[at(s)])])] = s;
-    }
+    lists([&](Index s, std::size_t list) { children[at(--start[list])] = s; });
     const auto of = [&](Index s) {
         return std::span(children).subspan(at(start[at(s)]), at(start[at(s) + 1] - start[at(s)]));
     };
-    std::vector<std::size_t> peak(at(count), 0);
-    stack = 0;
-    for (Index s = 0; s < count; ++s) {  // children come first
-        if (m.into[at(s)] >= 0) continue;
+    std::vector<std::int64_t> peak(at(count) + 1, 0);
+    std::vector<std::int64_t> held(at(count) + 1, 0);  // when all of its subtree is done
+    for (Index s = 0; s <= count; ++s) {               // children come first
+        if (s < count && m.into[at(s)] >= 0) continue;
         const auto mine = of(s);
-        std::stable_sort(mine.begin(), mine.end(), [&](Index a, Index b) {
-            return peak[at(a)] - square(m.below[at(a)]) > peak[at(b)] - square(m.below[at(b)]);
-        });
-        std::size_t held = 0;
+        std::stable_sort(mine.begin(), mine.end(),
+                         [&](Index a, Index b) { return peak[at(a)] - held[at(a)] > peak[at(b)] - held[at(b)]; });
+        std::int64_t factor = 0;
+        std::int64_t stack = 0;
         for (const Index c : mine) {
-            peak[at(s)] = std::max(peak[at(s)], held + peak[at(c)]);
-            held += square(m.below[at(c)]);
+            peak[at(s)] = std::max(peak[at(s)], factor + stack + peak[at(c)]);
+            stack += left(m, c);
+            factor += held[at(c)] - left(m, c);
         }
-        peak[at(s)] = std::max(peak[at(s)], held + square(m.below[at(s)]));
-        stack = std::max(stack, peak[at(s)]);
+        if (s < count) {
+            factor += kept(m, s);
+            peak[at(s)] = std::max(peak[at(s)], factor + stack + left(m, s));
+            held[at(s)] = factor + left(m, s);
+        }
     }
+    constexpr auto largest = std::numeric_limits<std::ptrdiff_t>::max() / std::ptrdiff_t{sizeof(double)};
+    if (peak.back() > largest - std::ptrdiff_t{dense::slack}) throw std::bad_alloc();
+    memory = static_cast<std::size_t>(peak.back());
     std::vector<Index> order;
-    std::vector<std::pair<Index, std::size_t>> path;
-    for (Index root = 0; root < count; ++root) {
-        if (m.into[at(root)] >= 0 || parent[at(root)] >= 0) continue;
-        path.emplace_back(root, 0);
-        while (!path.empty()) {
-            auto& [s, next] = path.back();
-            const auto mine = of(s);
-            if (next < mine.size()) {
-                const Index child = mine[next++];
-                path.emplace_back(child, 0);
-            } else {
-                order.push_back(s);
-                path.pop_back();
-            }
+    std::vector<std::pair<Index, std::size_t>> path{{count, 0}};
+    while (!path.empty()) {
+        auto& [s, next] = path.back();
+        const auto mine = of(s);
+        if (next < mine.size()) {
+            const Index child = mine[next++];
+            path.emplace_back(child, 0);
+        } else {
+            order.push_back(s);
+            path.pop_back();
         }
     }
+    order.pop_back();  // the parent of the roots
     return order;
 }
 
@@ -159,7 +169,7 @@ std::vector<Index> order_supernodes(const Merging& m, std::vector<Index>& parent
 std::vector<Index> lay_out(const Merging& m, Symbolic& symbolic) {
     const std::size_t count = m.first.size();
     std::vector<Index> parent;
-    const std::vector<Index> order = order_supernodes(m, parent, symbolic.stack);
+    const std::vector<Index> order = order_supernodes(m, parent, symbolic.memory);
     // Columns of the supernodes that went into each, in their old order, which is a postorder.
     std::vector<Index> place(count, -1);
     for (std::size_t k = 0; k < order.size(); ++k)
@@ -177,7 +187,7 @@ std::vector<Index> lay_out(const Merging& m, Symbolic& symbolic) {
         next[k] = column;
         column += m.columns[s];
         rows += at(m.below[s]);
-        values += at(m.columns[s]) * at(m.columns[s] + m.below[s]);
+        values += static_cast<std::size_t>(kept(m, order[k]));
         symbolic.largest_front = std::max(symbolic.largest_front, m.columns[s] + m.below[s]);
         symbolic.widest = std::max(symbolic.widest, m.columns[s]);
     }

@@ -7,6 +7,7 @@
 #include "polylap/base/result.hpp"
 #include "polylap/base/types.hpp"
 #include "solve/ordering/nested_dissection.hpp"
+#include "solve/supernodal/panels.hpp"
 
 namespace polylap {
 
@@ -27,7 +28,7 @@ struct Symbolic {
     std::vector<Supernode> supernodes;  ///< In postorder, and one past the last.
     std::vector<Index> rows;            ///< Rows below, rising, of each supernode.
     std::size_t values = 0;             ///< Doubles in all trapezoids.
-    std::size_t stack = 0;              ///< Most doubles that contributions to other fronts take at once.
+    std::size_t memory = 0;             ///< Most doubles that they and contributions to other fronts take at once.
     Index largest_front = 0;            ///< Rows.
     Index widest = 0;                   ///< Columns of the widest supernode.
     std::int64_t entries = 0;           ///< nnz(L) without padding.
@@ -41,6 +42,7 @@ struct Symbolic {
     std::vector<Index> entry_start;  ///< n + 1
     std::vector<Entry> entries_in;
 
+    Panels panels(std::size_t s) const { return {columns(s) + supernodes[s].below, columns(s)}; }
     Index columns(std::size_t s) const { return supernodes[s + 1].first - supernodes[s].first; }
 };
 
