@@ -29,20 +29,21 @@ std::unique_ptr<double[]> allocate(std::size_t count) {
 
 class Elimination {
 public:
-    Elimination(const Symbolic& symbolic, const SparseMatrix& a, const dense::Kernels& kernels, double* values,
-                const Monitor& monitor)
+    Elimination(const Symbolic& symbolic, const SparseMatrix& a, const dense::Kernels& kernels,
+                const std::vector<double*>& fronts, const Monitor& monitor)
         : symbolic_(symbolic),
           a_(a),
           kernels_(kernels),
           monitor_(monitor),
-          values_(values),
+          fronts_(fronts),
+          stack_(allocate(symbolic.stack)),
           scratch_(symbolic.largest_front > 64 ? allocate(kernels.scratch_doubles) : nullptr),
           least_(at(symbolic.widest)),
           in_front_(at(symbolic.size)),
           relative_(at(symbolic.largest_front)) {}
 
     Status run() {
-        top_ = values_ + symbolic_.memory;
+        top_ = stack_.get();
         for (std::size_t s = 0; s + 1 < symbolic_.supernodes.size(); ++s) {
             if (Status status = eliminate(s); !status) return status;
         }
@@ -56,9 +57,9 @@ private:
         const std::ptrdiff_t columns = own.columns;
         const std::ptrdiff_t below = supernode.below;
         const Panels rest{below, below};  // what this front leaves to its parent
-        double* const front = values_ + supernode.values;
+        double* const front = fronts_[s];
+        double* const remainder = top_;
         const auto left = static_cast<std::size_t>(rest.doubles());
-        double* const remainder = top_ - left;
         if (!assemble(s, front, own)) return not_finite();
         if (supernode.children > 0) {
             std::memset(remainder, 0, sizeof(double) * left);
@@ -78,12 +79,8 @@ private:
             done_ += static_cast<double>(width) * static_cast<double>(stride) * static_cast<double>(stride);
             if (!proceed()) return Error{ErrorCode::cancelled, "cancelled"};
         }
-        if (supernode.children > 0) {
-            top_ -= left;
-            std::memmove(top_, remainder, sizeof(double) * left);
-        } else {
-            top_ = remainder;
-        }
+        if (supernode.children > 0) std::memmove(top_, remainder, sizeof(double) * left);
+        top_ += left;
         pending_.push_back(static_cast<Index>(s));
         return Done{};
     }
@@ -137,13 +134,13 @@ private:
                 relative_[at(i)] = in_front_[at(symbolic_.rows[child.rows + at(i)])];
             }
             const Panels given{child.below, child.below};
+            top_ -= given.doubles();
             for (Index j = 0; j < child.below; ++j) {
                 const Index column = relative_[at(j)];
                 double* const to =
                     column < columns ? front + own.column(column) : remainder + rest.column(column - columns) - columns;
                 add_column(to, top_ + given.column(j), j, child.below);
             }
-            top_ += given.doubles();
         }
     }
 
@@ -181,8 +178,8 @@ private:
     const SparseMatrix& a_;
     const dense::Kernels& kernels_;
     const Monitor& monitor_;
-    double* values_;
-    std::unique_ptr<double[]> scratch_;
+    const std::vector<double*>& fronts_;
+    std::unique_ptr<double[]> stack_, scratch_;
     double* top_ = nullptr;       ///< Of the stack.
     std::vector<Index> pending_;  ///< Supernodes whose contributions are on the stack.
     std::vector<double> least_;
@@ -193,13 +190,40 @@ private:
 }  // namespace
 
 Status Numeric::factor(const Symbolic& symbolic, const SparseMatrix& a, const Monitor& monitor) {
-    if (capacity_ != symbolic.memory) {
-        values_.reset();
-        capacity_ = 0;
-        values_ = allocate(symbolic.memory);
-        capacity_ = symbolic.memory;
+    make_room(symbolic);
+    return Elimination(symbolic, a, *kernels_, fronts_, monitor).run();
+}
+
+/// Several pieces find room where one block would not: between what else is in the memory of a WebAssembly module,
+/// which never shrinks.
+void Numeric::make_room(const Symbolic& symbolic) {
+    constexpr std::size_t full = std::size_t{1} << 21;
+    const std::size_t count = symbolic.supernodes.size() - 1;
+    std::vector<std::size_t> sizes;
+    for (std::size_t s = 0; s < count; ++s) {
+        if (sizes.empty() || sizes.back() >= full) sizes.push_back(0);
+        sizes.back() += static_cast<std::size_t>(symbolic.panels(s).doubles());
     }
-    return Elimination(symbolic, a, *kernels_, values_.get(), monitor).run();
+    if (sizes != sizes_) {
+        sizes_.clear();
+        pieces_.clear();
+        std::vector<std::unique_ptr<double[]>> pieces;
+        for (const std::size_t size : sizes)
+            pieces.push_back(allocate(size));
+        pieces_ = std::move(pieces);
+        sizes_ = std::move(sizes);
+    }
+    fronts_.resize(count);
+    auto piece = pieces_.begin();
+    std::size_t used = 0;
+    for (std::size_t s = 0; s < count; ++s) {
+        if (used >= full) {
+            ++piece;
+            used = 0;
+        }
+        fronts_[s] = piece->get() + used;
+        used += static_cast<std::size_t>(symbolic.panels(s).doubles());
+    }
 }
 
 Matrix Numeric::solve(const Symbolic& symbolic, const Eigen::Ref<const Matrix>& rhs) const {
@@ -227,8 +251,8 @@ Matrix Numeric::solve(const Symbolic& symbolic, const Eigen::Ref<const Matrix>& 
             std::memset(front.data() + columns * w, 0, below * w * sizeof(double));
             const Panels panels = symbolic.panels(s);
             for (std::ptrdiff_t j = 0; j < panels.columns; j += Panels::width) {
-                kernels_->forward(values_.get() + supernode.values + panels.panel(j), panels.stride(j),
-                                  panels.stride(j), panels.columns_of(j), front.data() + j * width, width);
+                kernels_->forward(fronts_[s] + panels.panel(j), panels.stride(j), panels.stride(j),
+                                  panels.columns_of(j), front.data() + j * width, width);
             }
             std::memcpy(mine, front.data(), columns * w * sizeof(double));
             const double* from = front.data() + columns * w;
@@ -253,8 +277,8 @@ Matrix Numeric::solve(const Symbolic& symbolic, const Eigen::Ref<const Matrix>& 
             const Panels panels = symbolic.panels(s);
             for (std::ptrdiff_t end = panels.columns; end > 0;) {
                 const std::ptrdiff_t j = (end - 1) / Panels::width * Panels::width;
-                kernels_->backward(values_.get() + supernode.values + panels.panel(j), panels.stride(j),
-                                   panels.stride(j), end - j, front.data() + j * width, width);
+                kernels_->backward(fronts_[s] + panels.panel(j), panels.stride(j), panels.stride(j), end - j,
+                                   front.data() + j * width, width);
                 end = j;
             }
             std::memcpy(mine, front.data(), columns * w * sizeof(double));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "polylap/base/monitor.hpp"
 #include "polylap/base/result.hpp"
@@ -23,9 +24,12 @@ public:
     Matrix solve(const Symbolic& symbolic, const Eigen::Ref<const Matrix>& rhs) const;
 
 private:
+    void make_room(const Symbolic& symbolic);
+
     const dense::Kernels* kernels_;
-    std::unique_ptr<double[]> values_;  ///< Trapezoids, see Panels; behind them the stack had its place.
-    std::size_t capacity_ = 0;
+    std::vector<std::unique_ptr<double[]>> pieces_;
+    std::vector<std::size_t> sizes_;  ///< Of the pieces, in doubles.
+    std::vector<double*> fronts_;     ///< Of each supernode, in one of the pieces; see Panels.
 };
 
 }  // namespace polylap

@@ -90,18 +90,21 @@ void merge(Merging& m) {
     }
 }
 
-/// Doubles that a supernode keeps of the factor, and those that it leaves to its parent.
-std::int64_t kept(const Merging& m, Index s) {
-    return Panels{m.columns[at(s)] + m.below[at(s)], m.columns[at(s)]}.doubles();
-}
+/// Doubles that a supernode leaves on the stack.
 std::int64_t left(const Merging& m, Index s) {
     return Panels{m.below[at(s)], m.below[at(s)]}.doubles();
 }
 
-/// Order of the supernodes that remain: a postorder in which the child comes first that needs the most memory beyond
-/// what its subtree goes on holding.
-/// @param memory the most doubles that the factor so far and the stack take
-std::vector<Index> order_supernodes(const Merging& m, std::vector<Index>& parent, std::size_t& memory) {
+/// A count of doubles that memory can be asked for.
+std::size_t allocatable(std::int64_t doubles) {
+    constexpr auto most = std::numeric_limits<std::ptrdiff_t>::max() / std::ptrdiff_t{sizeof(double)};
+    if (doubles > most - std::ptrdiff_t{dense::slack}) throw std::bad_alloc();
+    return static_cast<std::size_t>(doubles);
+}
+
+/// Order of the supernodes that remain: a postorder with the greediest child first.
+/// @param stack the most doubles on the stack at once
+std::vector<Index> order_supernodes(const Merging& m, std::vector<Index>& parent, std::size_t& stack) {
     const auto count = static_cast<Index>(m.first.size());
     parent.assign(at(count), -1);
     const auto taken_by = [&](Index s) {
@@ -126,28 +129,19 @@ std::vector<Index> order_supernodes(const Merging& m, std::vector<Index>& parent
         return std::span(children).subspan(at(start[at(s)]), at(start[at(s) + 1] - start[at(s)]));
     };
     std::vector<std::int64_t> peak(at(count) + 1, 0);
-    std::vector<std::int64_t> held(at(count) + 1, 0);  // when all of its subtree is done
-    for (Index s = 0; s <= count; ++s) {               // children come first
+    for (Index s = 0; s <= count; ++s) {  // children come first
         if (s < count && m.into[at(s)] >= 0) continue;
         const auto mine = of(s);
         std::stable_sort(mine.begin(), mine.end(),
-                         [&](Index a, Index b) { return peak[at(a)] - held[at(a)] > peak[at(b)] - held[at(b)]; });
-        std::int64_t factor = 0;
-        std::int64_t stack = 0;
+                         [&](Index a, Index b) { return peak[at(a)] - left(m, a) > peak[at(b)] - left(m, b); });
+        std::int64_t held = 0;
         for (const Index c : mine) {
-            peak[at(s)] = std::max(peak[at(s)], factor + stack + peak[at(c)]);
-            stack += left(m, c);
-            factor += held[at(c)] - left(m, c);
+            peak[at(s)] = std::max(peak[at(s)], held + peak[at(c)]);
+            held += left(m, c);
         }
-        if (s < count) {
-            factor += kept(m, s);
-            peak[at(s)] = std::max(peak[at(s)], factor + stack + left(m, s));
-            held[at(s)] = factor + left(m, s);
-        }
+        if (s < count) peak[at(s)] = std::max(peak[at(s)], held + left(m, s));
     }
-    constexpr auto largest = std::numeric_limits<std::ptrdiff_t>::max() / std::ptrdiff_t{sizeof(double)};
-    if (peak.back() > largest - std::ptrdiff_t{dense::slack}) throw std::bad_alloc();
-    memory = static_cast<std::size_t>(peak.back());
+    stack = allocatable(peak.back());
     std::vector<Index> order;
     std::vector<std::pair<Index, std::size_t>> path{{count, 0}};
     while (!path.empty()) {
@@ -169,7 +163,7 @@ std::vector<Index> order_supernodes(const Merging& m, std::vector<Index>& parent
 std::vector<Index> lay_out(const Merging& m, Symbolic& symbolic) {
     const std::size_t count = m.first.size();
     std::vector<Index> parent;
-    const std::vector<Index> order = order_supernodes(m, parent, symbolic.memory);
+    const std::vector<Index> order = order_supernodes(m, parent, symbolic.stack);
     // Columns of the supernodes that went into each, in their old order, which is a postorder.
     std::vector<Index> place(count, -1);
     for (std::size_t k = 0; k < order.size(); ++k)
@@ -178,24 +172,24 @@ std::vector<Index> lay_out(const Merging& m, Symbolic& symbolic) {
     auto& supernodes = symbolic.supernodes;
     supernodes.resize(order.size() + 1);
     std::size_t rows = 0;
-    std::size_t values = 0;
+    std::int64_t values = 0;
     Index column = 0;
     for (std::size_t k = 0; k < order.size(); ++k) {
         const std::size_t s = at(order[k]);
         const Index up = parent[s];
-        supernodes[k] = {column, up < 0 ? -1 : place[at(up)], 0, m.below[s], rows, values};
+        supernodes[k] = {column, up < 0 ? -1 : place[at(up)], 0, m.below[s], rows};
         next[k] = column;
         column += m.columns[s];
         rows += at(m.below[s]);
-        values += static_cast<std::size_t>(kept(m, order[k]));
+        values += Panels{m.columns[s] + m.below[s], m.columns[s]}.doubles();
         symbolic.largest_front = std::max(symbolic.largest_front, m.columns[s] + m.below[s]);
         symbolic.widest = std::max(symbolic.widest, m.columns[s]);
     }
-    supernodes.back() = {column, -1, 0, 0, rows, values};
+    supernodes.back() = {column, -1, 0, 0, rows};
     for (std::size_t k = 0; k < order.size(); ++k) {
         if (supernodes[k].parent >= 0) ++supernodes[at(supernodes[k].parent)].children;
     }
-    symbolic.values = values;
+    symbolic.values = allocatable(values);
     std::vector<Index> original(symbolic.original.size());
     std::vector<Index> of(original.size());
     for (std::size_t s = 0; s < count; ++s) {

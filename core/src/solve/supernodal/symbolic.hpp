@@ -15,12 +15,11 @@ namespace polylap {
 /// rows below. A front is the dense trapezoid of a supernode: its own columns first among its rows.
 struct Symbolic {
     struct Supernode {
-        Index first;         ///< Column of L; its columns end where the next supernode's begin.
-        Index parent;        ///< Supernode of the first row below, or -1.
-        Index children;      ///< How many supernodes have this one for a parent.
-        Index below;         ///< Rows beneath the diagonal block.
-        std::size_t rows;    ///< Where they begin in `rows`.
-        std::size_t values;  ///< Where the trapezoid begins among the factor's values.
+        Index first;       ///< Column of L; its columns end where the next supernode's begin.
+        Index parent;      ///< Supernode of the first row below, or -1.
+        Index children;    ///< How many supernodes have this one for a parent.
+        Index below;       ///< Rows beneath the diagonal block.
+        std::size_t rows;  ///< Where they begin in `rows`.
     };
 
     Index size = 0;
@@ -28,7 +27,7 @@ struct Symbolic {
     std::vector<Supernode> supernodes;  ///< In postorder, and one past the last.
     std::vector<Index> rows;            ///< Rows below, rising, of each supernode.
     std::size_t values = 0;             ///< Doubles in all trapezoids.
-    std::size_t memory = 0;             ///< Most doubles that they and contributions to other fronts take at once.
+    std::size_t stack = 0;              ///< Most doubles that contributions to other fronts take at once.
     Index largest_front = 0;            ///< Rows.
     Index widest = 0;                   ///< Columns of the widest supernode.
     std::int64_t entries = 0;           ///< nnz(L) without padding.
