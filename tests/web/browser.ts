@@ -76,8 +76,8 @@ export interface Visit {
   close: () => Promise<void>;
 }
 
-/** Opens the page and waits for its first numbers. */
-export async function visit(site: Site, options: BrowserContextOptions = {}): Promise<Visit> {
+/** Opens the page, or a link to it, and waits for its first numbers. */
+export async function visit(site: Site, options: BrowserContextOptions = {}, link = site.url): Promise<Visit> {
   const context = await site.browser.newContext({
     viewport: { width: 1440, height: 900 },
     reducedMotion: 'reduce',
@@ -102,7 +102,7 @@ export async function visit(site: Site, options: BrowserContextOptions = {}): Pr
     if (request.url().startsWith(site.url)) requests.add(request.url());
     else if (!/^(data|blob):/.test(request.url())) troubles.push(`left the site: ${request.url()}`);
   });
-  await page.goto(site.url);
+  await page.goto(link);
   await settled(page);
   return { page, troubles, requests, close: () => context.close() };
 }

@@ -88,9 +88,10 @@ describe('check', () => {
     });
     await page.waitForFunction(() => globalThis.polylap.results().a.study === 'Cancelled.');
     await page.getByRole('button', { name: 'Study convergence' }).click();
-    await page.waitForFunction(
-      () => typeof globalThis.polylap.results().b.study === 'object' && globalThis.polylap.results().b.study !== null,
-    );
+    await page.waitForFunction(() => {
+      const { a, b } = globalThis.polylap.results();
+      return [a.study, b.study].every((study) => typeof study === 'object' && study !== null);
+    });
     expect(await page.locator('.study').count()).toBeGreaterThanOrEqual(2);
     expect(await page.locator('.study tbody tr').count()).toBeGreaterThanOrEqual(4);
     expect(await page.locator('.study-verdict').first().textContent()).toMatch(/^A claims .*converge/);

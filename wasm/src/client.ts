@@ -236,6 +236,13 @@ class WorkerClient implements Client {
         const opened = await ask('convert', { conversion: own, made: made.id }, run, hooks);
         return this.#mesh(made, `${id} of ${name}`, opened);
       },
+      restore: async (given, run = {}) => {
+        const { coordinates, step } = given;
+        const saved = { coordinates: Float64Array.from(coordinates), step };
+        const { side = 'a' } = run;
+        const hooks = { commit: () => state.saved.set(side, saved), undo: () => state.backTo(side) };
+        await ask('restore', { saved }, runOf(run), hooks);
+      },
       reset: async (side) =>
         this.#everywhere(state, side === undefined ? sides : [oneOf(side, sides, 'the side')], 'reset'),
       close: async () => {

@@ -357,6 +357,8 @@ export interface Mesh extends MeshInfo {
   file(format: MeshFormat, run?: RunOptions): Promise<Uint8Array>;
   /** A new mesh made of the side's surface. */
   convert(conversion: ConversionSpec, run?: RunOptions): Promise<Mesh>;
+  /** Puts a side onto given coordinates, as after so many smoothing steps. */
+  restore(saved: Pick<Smoothed, 'coordinates' | 'step'>, run?: RunOptions): Promise<void>;
   /** Back to the loaded mesh; both sides if none is named. */
   reset(side?: Side): Promise<void>;
   close(): Promise<void>;

@@ -1,8 +1,11 @@
 import { Answers } from './answers.js';
+import { History } from './history.js';
 import { Meshes } from './meshes.js';
 import { explain } from './messages.js';
+import { sameMoves } from './moves.js';
 import type { Client, Mesh, Side } from './polylap.js';
 import { noResults, type Place, type Results, type SideResults } from './results.js';
+import { readLink } from './share.js';
 import { Smoothing } from './smoothing.js';
 import { type Choice, initialState, type State, sides, withPin, withWeight } from './state.js';
 import { Store } from './store.js';
@@ -16,6 +19,7 @@ export class App {
   readonly answers = new Answers(this);
   readonly meshes = new Meshes(this);
   readonly smoothing = new Smoothing(this);
+  readonly history = new History(this);
 
   /** @param client the page is there before the worker is */
   constructor(readonly client: Promise<Client>) {
@@ -123,6 +127,47 @@ export class App {
     if (!mesh) return;
     const { selected } = this.state.get();
     this.select(selected === null ? 0 : (selected + by + mesh.vertices) % mesh.vertices);
+  }
+
+  // --- whole states -------------------------------------------------------------------------------------------------------
+
+  /** Makes everything as a state says. @returns whether it could be; otherwise the mesh on screen stays */
+  async goTo(state: State): Promise<boolean> {
+    const now = this.state.get();
+    this.smoothing.pause();
+    const elsewhere = JSON.stringify(state.source) !== JSON.stringify(now.source) || !this.results.get().mesh;
+    if (elsewhere && (await this.meshes.again(state))) return false;
+    // The surfaces move when they are there.
+    const { moves: _, step: __, sides: choices, ...rest } = state;
+    this.state.set(rest);
+    for (const side of sides)
+      if (JSON.stringify(choices[side]) !== JSON.stringify(this.state.get().sides[side]))
+        this.setChoice(side, choices[side]);
+    const { moves, step } = this.state.get();
+    if (step !== state.step || !sameMoves(moves, state.moves)) await this.smoothing.goTo(state.moves, state.step);
+    this.answers.updateBoth();
+    return true;
+  }
+
+  /** What a link says, if the hash of the address is one. @returns whether it was */
+  async follow(hash: string): Promise<boolean> {
+    let link: Awaited<ReturnType<typeof readLink>>;
+    try {
+      link = await readLink(hash);
+    } catch (reason) {
+      this.results.set({ error: { title: 'The link cannot be opened', text: explain(reason) } });
+      return false;
+    }
+    if (!link) return false;
+    const { state, file } = link;
+    if (state.source.kind === 'file') {
+      if (!file) {
+        this.meshes.expect(state);
+        return false;
+      }
+      state.source = { ...state.source, file: this.meshes.keep(file) };
+    }
+    return this.goTo(state);
   }
 
   // --- the rest -----------------------------------------------------------------------------------------------------------

@@ -13,11 +13,17 @@ const clickReach = 5;
 
 /** Keeps the views in step with what was chosen and computed. */
 export function bindViewer(app: App, viewer: Viewer): void {
+  viewer.camera.onRest = (camera) => app.state.set({ camera });
+  app.state.watch(
+    (state) => [state.camera],
+    (camera) => viewer.camera.put(camera),
+  );
   app.results.watch(
     (results) => [results.mesh],
     (mesh) => {
       if (!mesh) return;
       viewer.setMesh(mesh.geometry, isMade(app.state.get().source) || liesFlat(mesh.geometry));
+      viewer.camera.put(app.state.get().camera);
     },
   );
   for (const side of sides) {
@@ -198,15 +204,17 @@ export function bindInput(app: App, viewer: Viewer, views: Record<Side, HTMLElem
 /** Keys that mean the same anywhere on the page, except where one writes. */
 export function bindKeys(app: App, help: () => void): void {
   document.addEventListener('keydown', (event) => {
-    if (
-      event.ctrlKey ||
-      event.metaKey ||
-      event.altKey ||
-      isTyping(event.target) ||
-      document.querySelector('dialog[open]')
-    )
-      return;
-    if (event.key === '[') app.walk(-1);
+    const { target } = event;
+    if (event.altKey || document.querySelector('dialog[open]')) return;
+    if (event.ctrlKey || event.metaKey) {
+      // Text has an undo of its own.
+      if (isTyping(target) && !(target instanceof HTMLSelectElement)) return;
+      const key = event.key.toLowerCase();
+      if (key === 'y' || (key === 'z' && event.shiftKey)) void app.history.redo();
+      else if (key === 'z') void app.history.undo();
+      else return;
+    } else if (isTyping(target)) return;
+    else if (event.key === '[') app.walk(-1);
     else if (event.key === ']') app.walk(1);
     else if (event.key === '?') help();
     else return;

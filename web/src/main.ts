@@ -7,7 +7,15 @@ import { Viewer } from './scene/viewer.js';
 import { presets, sides } from './state.js';
 
 const app = new App(createClient());
-const ready = app.meshes.preset(presets[0]?.id ?? '');
+const open = async () => {
+  if (!(await app.follow(location.hash)) && !app.results.get().mesh) {
+    const { error } = app.results.get();
+    await app.meshes.preset(presets[0]?.id ?? '');
+    if (error) app.results.set({ error });
+  }
+};
+const ready = open().then(() => app.history.begin());
+window.addEventListener('hashchange', () => void app.follow(location.hash));
 const { canvas, views, help } = page(app, document.getElementById('app') as HTMLElement);
 bindKeys(app, help);
 

@@ -1,10 +1,22 @@
+import { specOf } from './answers.js';
 import type { App } from './app.js';
 import { count, plural } from './format.js';
 import { countFaces } from './mesh-text.js';
 import { describe, explain, reportOf } from './messages.js';
+import { upTo } from './moves.js';
 import type { Client, ConversionSpec, Mesh, ShapeSpec, Side } from './polylap.js';
 import { freshSide, type Message } from './results.js';
-import { forAnotherMesh, type Made, nameOf, type Preset, presets, type Source, sides } from './state.js';
+import {
+  belongings,
+  forAnotherMesh,
+  type Made,
+  nameOf,
+  type Preset,
+  presets,
+  type Source,
+  type State,
+  sides,
+} from './state.js';
 import { isCancelled, type Run } from './work.js';
 
 const tooManyFaces = 1_000_000;
@@ -15,41 +27,34 @@ export class Meshes {
   /** Meshes asked for and not there yet. */
   awaited = 0;
   private opening = 0;
-  /** The file that was opened last: it can be opened again, repaired. */
-  private file: { contents: Blob; name: string } | null = null;
+  private readonly files: Blob[] = [];
+  private expected: State | null = null;
 
   constructor(private readonly app: App) {}
 
-  async preset(id: string): Promise<void> {
-    const preset = presets.find((entry) => entry.id === id) ?? presets[0];
-    if (!preset) return;
-    await this.take({ kind: 'preset', id: preset.id }, async () => {
-      const client = await this.app.client;
-      return 'shape' in preset
-        ? client.make(preset.shape)
-        : this.app.work.run(`Loading ${preset.label}`, (run) => load(client, preset, run));
-    });
+  preset(id: string): Promise<Message | null> {
+    const preset = presets.find((entry) => entry.id === id) ?? (presets[0] as Preset);
+    return this.take({ kind: 'preset', id: preset.id });
   }
 
   /** @returns what was wrong, or null; the mesh on screen stays if something was */
   make(shape: Made): Promise<Message | null> {
-    const spec = { shape: shape.id, ...shape.parameters } as ShapeSpec;
-    return this.take({ kind: 'shape', shape }, async () => (await this.app.client).make(spec));
+    return this.take({ kind: 'shape', shape });
   }
 
   /** Makes another mesh of a side's surface. @returns as make */
-  async convert(change: Made, side: Side): Promise<Message | null> {
+  async convert(made: Made, side: Side): Promise<Message | null> {
     const { mesh } = this.app.results.get();
     if (!mesh) return null;
-    const { source } = this.app.state.get();
-    const spec = { conversion: change.id, ...change.parameters } as ConversionSpec;
-    return this.take({ ...source, changes: [...(source.changes ?? []), change] }, () =>
-      this.app.work.run('Making another mesh', (run) => mesh.convert(spec, { side, ...run }), side),
+    const { source, moves, step } = this.app.state.get();
+    const change = { ...made, side, moves: upTo(moves, step) };
+    return this.take({ ...source, changes: [...(source.changes ?? []), change] }, {}, (run) =>
+      mesh.convert(conversionOf(made), { side, ...run }),
     );
   }
 
   /** @returns as make */
-  async open(contents: Blob, name: string, repair = false): Promise<Message | null> {
+  async open(contents: Blob, name: string): Promise<Message | null> {
     if (contents.size > tooManyBytes) {
       return this.refuse(
         name,
@@ -63,35 +68,57 @@ export class Meshes {
         `It has ${plural(faces, 'face')}; this page takes up to ${count(tooManyFaces)}. The command line takes more.`,
       );
     }
-    return this.take(
-      { kind: 'file', name, ...(repair && { repaired: true }) },
-      () =>
-        this.app.work.run(`Opening ${name}`, async (run) =>
-          (await this.app.client).open(contents, name, { ...run, repair }),
-        ),
-      { contents, name },
-    );
+    const source: Source = { kind: 'file', name, file: this.keep(contents) };
+    const { expected } = this;
+    if (expected?.source.kind !== 'file' || expected.source.name !== name) return this.take(source);
+    this.expected = null;
+    await this.app.goTo({ ...expected, source: { ...expected.source, file: source.file } });
+    return this.app.results.get().error;
+  }
+
+  /** A link without its file: what it says is done when a file of that name is opened. */
+  expect(state: State): void {
+    this.expected = state;
+    const { name } = state.source as FileSource;
+    this.app.results.set({
+      error: {
+        title: `The link needs ${name}`,
+        text: 'It was too large to be part of the link. Open the file here, and everything else is set as the link says.',
+      },
+    });
+  }
+
+  /** Keeps what was opened, so that it can be opened again. @returns its number */
+  keep(contents: Blob): number {
+    return this.files.push(contents) - 1;
+  }
+
+  /** What was opened under a number. */
+  contents(file: number): Blob | undefined {
+    return this.files[file];
+  }
+
+  /** Makes the mesh of a state again, with all that belongs to it. @returns as make */
+  again(state: State): Promise<Message | null> {
+    return this.take(state.source, belongings(state));
   }
 
   /** The opened file once more, repaired; null if the mesh on screen is no file, or is repaired already. */
   get repair(): (() => Promise<Message | null>) | null {
     const { source } = this.app.state.get();
-    const { file } = this;
-    return source.kind === 'file' && !source.repaired && file ? () => this.open(file.contents, file.name, true) : null;
+    return source.kind === 'file' && !source.repaired ? () => this.take(repaired(source)) : null;
   }
 
   /** Finds out whether repair would help before it is offered beside the error. */
-  private async offerRepair(file: NonNullable<Meshes['file']>, error: Message): Promise<void> {
+  private async offerRepair(source: FileSource, error: Message): Promise<void> {
     const { app } = this;
     try {
-      const repaired = await app.work.run(`Trying to repair ${file.name}`, async (run) =>
-        (await app.client).open(file.contents, file.name, { ...run, repair: true }),
-      );
-      void repaired.close();
+      const mesh = await app.work.run(`Trying to repair ${source.name}`, (run) => this.origin(repaired(source), run));
+      void mesh.close();
     } catch {
       return;
     }
-    const act = () => this.open(file.contents, file.name, true);
+    const act = () => this.take(repaired(source));
     if (app.results.get().error === error)
       app.results.set({ error: { ...error, offer: { label: 'Repair and open', act } } });
   }
@@ -102,11 +129,14 @@ export class Meshes {
     return error;
   }
 
-  /** @param file what was opened, which might be repaired */
+  /**
+   * Makes a mesh and shows it.
+   * @param belonging the part of the state that belongs to it, where it is not that of a fresh mesh
+   */
   private async take(
     source: Source,
-    make: () => Promise<Mesh>,
-    file: Meshes['file'] = this.file,
+    belonging: Partial<State> = {},
+    make: (run: Run) => Promise<Mesh> = (run) => this.remake(source, run),
   ): Promise<Message | null> {
     const { app } = this;
     const label = nameOf(source);
@@ -117,7 +147,7 @@ export class Meshes {
     app.work.makeWay();
     let mesh: Mesh;
     try {
-      mesh = await make();
+      mesh = await app.work.run(source.kind === 'file' ? `Opening ${label}` : `Making ${label}`, make);
     } catch (reason) {
       this.awaited--;
       app.answers.again();
@@ -130,7 +160,7 @@ export class Meshes {
       const title = opened ? `${label} could not be opened` : `${label} could not be made`;
       const error: Message = { title, text: explain(reason) };
       app.results.set({ error, notice: title });
-      if (opened && !source.repaired && file) void this.offerRepair(file, error);
+      if (opened && !source.repaired) void this.offerRepair(source, error);
       return error;
     }
     this.awaited--;
@@ -138,10 +168,9 @@ export class Meshes {
       await mesh.close();
       return null;
     }
-    app.smoothing.loadedArea = 0;
-    this.file = file;
+    app.smoothing.begin();
     const { mesh: before, a, b } = app.results.get();
-    app.state.set({ source, ...forAnotherMesh(app.state.get()) });
+    app.state.set({ source, ...forAnotherMesh(app.state.get()), ...belonging });
     const { positions } = mesh.geometry;
     app.results.set({
       mesh,
@@ -161,7 +190,45 @@ export class Meshes {
     }
     return null;
   }
+
+  /** Makes the mesh of a source from its beginning. */
+  private async remake(source: Source, run: Run): Promise<Mesh> {
+    let mesh = await this.origin(source, run);
+    for (const { side, moves, ...made } of source.changes ?? []) {
+      const before = mesh;
+      try {
+        for (const move of moves) {
+          const options = { time: move.timeH2 * mesh.meanSquaredEdge, steps: move.steps, rebuild: move.rebuild };
+          const spec = specOf(move.sides[side], move.vertexWeights[side], mesh.vertices);
+          await mesh.smooth(spec, options, { side, ...run });
+        }
+        mesh = await mesh.convert(conversionOf(made), { side, ...run });
+      } finally {
+        void before.close();
+      }
+    }
+    return mesh;
+  }
+
+  private async origin(source: Source, run: Run): Promise<Mesh> {
+    const client = await this.app.client;
+    if (source.kind === 'shape')
+      return client.make({ shape: source.shape.id, ...source.shape.parameters } as ShapeSpec, run);
+    if (source.kind === 'preset') {
+      const preset = presets.find(({ id }) => id === source.id) ?? (presets[0] as Preset);
+      return 'shape' in preset ? client.make(preset.shape, run) : load(client, preset, run);
+    }
+    const contents = this.contents(source.file);
+    if (!contents) throw new Error('The file is not here any more');
+    return client.open(contents, source.name, { ...run, repair: source.repaired ?? false });
+  }
 }
+
+type FileSource = Extract<Source, { kind: 'file' }>;
+
+const repaired = ({ name, file }: FileSource): Source => ({ kind: 'file', name, file, repaired: true });
+
+const conversionOf = ({ id, parameters }: Made) => ({ conversion: id, ...parameters }) as ConversionSpec;
 
 /** A mesh that lies beside the page. */
 async function load(client: Client, { file, change }: Extract<Preset, { file: string }>, run: Run): Promise<Mesh> {

@@ -65,6 +65,9 @@ export interface Results {
   hovered: number | null;
   /** What the camera was turned to. */
   place: Place | null;
+  /** What the next undo would take back, and the next redo bring again. */
+  undoes: string | null;
+  redoes: string | null;
 }
 
 export function freshSide(positions: Float32Array = new Float32Array(0)): SideResults {
@@ -94,6 +97,8 @@ export function noResults(): Results {
     playing: false,
     hovered: null,
     place: null,
+    undoes: null,
+    redoes: null,
   };
 }
 

@@ -1,23 +1,33 @@
 import { specOf } from './answers.js';
 import type { App } from './app.js';
 import { count } from './format.js';
+import { latest } from './latest.js';
 import { explain } from './messages.js';
-import type { Side, Smoothed } from './polylap.js';
+import { after, common, type Move, moveOf, stepsOf, upTo, withStep } from './moves.js';
+import type { Mesh, Smoothed } from './polylap.js';
 import type { Results } from './results.js';
 import { type State, sides } from './state.js';
 import { isFaceRefused, littleLeft, nothingLeft, type Stop, stopped } from './stops.js';
+import { type Surfaces, Trail } from './trail.js';
 import { isCancelled } from './work.js';
 
 /** Milliseconds between steps when playing: slow enough to watch. */
 const stepPace = 90;
 const playingNotice = 'Smoothing …';
+/** What the surfaces on the way may take, in bytes. */
+const trailSize = 256e6;
 
-/** Implicit smoothing on both sides in step. */
+/** Implicit smoothing: both surfaces move in step, and can go back. */
 export class Smoothing {
   private plays = 0;
+  private goals = 0;
   /** Area of the loaded mesh, before any step; 0 until it is known. */
   loadedArea = 0;
   private stepping: Promise<void> | null = null;
+  /** The surfaces that were reached, by these moves. */
+  readonly trail = new Trail(trailSize);
+  private trodden: readonly Move[] = [];
+  private readonly scrubbing = latest((step: number) => this.goTo(this.app.state.get().moves, step));
 
   constructor(private readonly app: App) {}
 
@@ -25,56 +35,49 @@ export class Smoothing {
     this.app.state.set({ smooth: { ...this.app.state.get().smooth, ...patch } });
   }
 
-  /** One step on both sides, shown at once. A side that lags because its last step failed catches up first. */
-  step(): Promise<void> {
-    this.stepping ??= this.stepBoth().finally(() => {
-      this.stepping = null;
-    });
-    return this.stepping;
+  /** Another mesh begins at its own beginning. */
+  begin(): void {
+    this.loadedArea = 0;
+    this.trail.clear();
+    this.trodden = [];
   }
 
-  private async stepBoth(): Promise<void> {
-    const { app } = this;
-    const { mesh, a, b } = app.results.get();
-    if (!mesh) return;
-    const { smooth, sides: choices, vertexWeights } = app.state.get();
-    const results = { a, b };
-    const behind = Math.min(a.step, b.step);
-    const moving = sides.filter((side) => results[side].step === behind);
-    const options = { time: smooth.timeH2 * mesh.meanSquaredEdge, steps: 1, rebuild: smooth.rebuild };
-    const settled = await Promise.allSettled(
-      moving.map((side) => {
-        const spec = specOf(choices[side], vertexWeights[side], mesh.vertices);
-        const label = `${side.toUpperCase()}: step ${behind + 1}`;
-        return app.work.run(label, (run) => mesh.smooth(spec, options, { side, ...run }), side);
-      }),
-    );
-    if (app.results.get().mesh !== mesh) return;
-    const patch: Partial<Results> = { error: null };
-    const stops: Stop[] = [];
-    settled.forEach((outcome, k) => {
-      const side = moving[k] as Side;
-      if (outcome.status === 'fulfilled') {
-        const { stats, step } = outcome.value;
-        patch[side] = { ...app.results.get()[side], ...surfaceOf(outcome.value) };
-        if (stats.area < nothingLeft * this.loadedArea)
-          stops.push({ side, step, collapsed: true, reason: 'Less than a millionth of its area is left.' });
-      } else if (isCancelled(outcome.reason)) {
-        patch.playing = false;
-        patch.notice = 'Cancelled; the surfaces are those of the last finished step.';
-      } else {
-        const area = results[side].shape?.area ?? this.loadedArea;
-        const collapsed = behind > 0 && (area < littleLeft * this.loadedArea || isFaceRefused(outcome.reason));
-        stops.push({ side, step: behind, collapsed, reason: explain(outcome.reason) });
-      }
+  /** One step on both sides, shown at once. */
+  step(): Promise<void> {
+    return this.alone(async () => {
+      const { mesh } = this.app.results.get();
+      const state = this.app.state.get();
+      if (mesh) await this.take(mesh, upTo(state.moves, state.step), moveOf(state));
     });
-    if (stops.length > 0) {
-      patch.playing = false;
-      patch.error = stopped(stops);
-      patch.notice = `Stopped at step ${count(Math.max(...stops.map((stop) => stop.step)))}.`;
-    }
-    app.results.set(patch);
-    app.answers.updateBoth();
+  }
+
+  /** To the surfaces after the first steps of moves: back to kept ones, and from there by taking the steps again. */
+  async goTo(moves: readonly Move[], step = stepsOf(moves)): Promise<void> {
+    const turn = ++this.goals;
+    this.pause();
+    while (this.stepping) await this.stepping;
+    if (turn !== this.goals) return;
+    return this.alone(async () => {
+      const { mesh } = this.app.results.get();
+      if (!mesh) return;
+      const wanted = upTo(moves, step);
+      let done = this.trail.lastUpTo(common(this.trodden, wanted));
+      await this.goBack(mesh, done);
+      for (const move of after(wanted, done)) {
+        for (let k = 0; k < move.steps; k++) {
+          if (turn !== this.goals || this.app.results.get().mesh !== mesh) return;
+          if (!(await this.take(mesh, upTo(wanted, done), { ...move, steps: 1 }))) return;
+          done++;
+        }
+      }
+      if (this.app.results.get().mesh === mesh) this.app.state.set({ moves, step });
+    });
+  }
+
+  /** To a step that was taken already; the newest wish counts. */
+  scrub(step: number): void {
+    this.app.state.set({ step });
+    this.scrubbing(step);
   }
 
   async play(): Promise<void> {
@@ -102,34 +105,115 @@ export class Smoothing {
     else void this.play();
   }
 
+  async reset(): Promise<void> {
+    await this.goTo([]);
+    this.app.results.set({ error: null, notice: 'Back to the loaded mesh.' });
+  }
+
+  /** What is under way is joined, not doubled. */
+  private alone(work: () => Promise<unknown>): Promise<void> {
+    this.stepping ??= work()
+      .then(() => {})
+      .finally(() => {
+        this.stepping = null;
+      });
+    return this.stepping;
+  }
+
+  /** Takes one more step, on both sides or on none. @returns whether it was taken */
+  private async take(mesh: Mesh, before: readonly Move[], move: Move): Promise<boolean> {
+    const { app } = this;
+    const step = stepsOf(before);
+    const options = { time: move.timeH2 * mesh.meanSquaredEdge, steps: 1, rebuild: move.rebuild };
+    const settled = await Promise.allSettled(
+      sides.map((side) => {
+        const spec = specOf(move.sides[side], move.vertexWeights[side], mesh.vertices);
+        const label = `${side.toUpperCase()}: step ${step + 1}`;
+        return app.work.run(label, (run) => mesh.smooth(spec, options, { side, ...run }), side);
+      }),
+    );
+    if (app.results.get().mesh !== mesh) return false;
+    const [a, b] = settled;
+    if (a?.status === 'fulfilled' && b?.status === 'fulfilled') {
+      const moves = withStep(before, move);
+      this.trail.cut(step);
+      this.trail.add(step + 1, { a: a.value, b: b.value });
+      this.trodden = moves;
+      this.show({ a: a.value, b: b.value }, { moves, step: step + 1 }, { error: null });
+      return true;
+    }
+    await this.putBack(mesh, step, settled);
+    return false;
+  }
+
+  /** A step that failed on a side has not been on the other. */
+  private async putBack(mesh: Mesh, step: number, settled: readonly PromiseSettledResult<Smoothed>[]): Promise<void> {
+    const { app } = this;
+    const stops: Stop[] = [];
+    const patch: Partial<Results> = { playing: false };
+    for (const [k, side] of sides.entries()) {
+      const outcome = settled[k];
+      if (outcome?.status !== 'rejected') continue;
+      if (isCancelled(outcome.reason)) patch.notice = 'Cancelled; the surfaces are those of the last finished step.';
+      else {
+        const area = app.results.get()[side].shape?.area ?? this.loadedArea;
+        const collapsed = step > 0 && (area < littleLeft * this.loadedArea || isFaceRefused(outcome.reason));
+        stops.push({ side, step, collapsed, reason: explain(outcome.reason) });
+      }
+    }
+    if (stops.length > 0) Object.assign(patch, stopNews(stops));
+    app.results.set(patch);
+    await this.goBack(mesh, step);
+  }
+
+  /** Both surfaces to a step that is kept. */
+  private async goBack(mesh: Mesh, step: number): Promise<void> {
+    const { app } = this;
+    const there = this.trail.at(step);
+    try {
+      const done = app.work.run('Back to an earlier surface', async () => {
+        if (there) await Promise.all(sides.map((side) => mesh.restore(there[side], { side })));
+        else await mesh.reset();
+      });
+      // Questions queue up behind it.
+      if (there) this.show(there, { step });
+      else {
+        const { positions } = mesh.geometry;
+        for (const side of sides) app.patch(mesh, side, { step: 0, positions, solve: null });
+        app.state.set({ step: 0 });
+        for (const side of sides) void app.answers.measure(mesh, side);
+        app.answers.updateBoth();
+      }
+      await done;
+    } catch (reason) {
+      app.fail(mesh, 'The surfaces could not be put back', reason);
+    }
+  }
+
+  private show(surfaces: Surfaces, state: Partial<State>, patch: Partial<Results> = {}): void {
+    const { app } = this;
+    const results = app.results.get();
+    const stops: Stop[] = [];
+    for (const side of sides) {
+      const { step, positions, stats, solve } = surfaces[side];
+      patch[side] = { ...results[side], step, positions, shape: stats, solve };
+      if (stats.area < nothingLeft * this.loadedArea)
+        stops.push({ side, step, collapsed: true, reason: 'Less than a millionth of its area is left.' });
+    }
+    if (stops.length > 0) Object.assign(patch, { playing: false }, stopNews(stops));
+    app.state.set(state);
+    app.results.set(patch);
+    app.answers.updateBoth();
+  }
+
   /** Unless there is other news already. */
   private sayPaused(): void {
     const { notice, a, b } = this.app.results.get();
     if (notice === playingNotice) this.app.say(`Paused at step ${count(Math.min(a.step, b.step))}.`);
   }
-
-  async reset(): Promise<void> {
-    const { app } = this;
-    this.pause();
-    await this.stepping;
-    const { mesh } = app.results.get();
-    if (!mesh) return;
-    try {
-      await app.work.run('Back to the loaded mesh', () => mesh.reset());
-    } catch (reason) {
-      app.fail(mesh, 'The mesh could not be reset', reason);
-      return;
-    }
-    const { positions } = mesh.geometry;
-    for (const side of sides) {
-      app.patch(mesh, side, { step: 0, positions, solve: null });
-      void app.answers.measure(mesh, side);
-    }
-    app.answers.updateBoth();
-    app.results.set({ error: null, notice: 'Back to the loaded mesh.' });
-  }
 }
 
-function surfaceOf({ step, positions, stats, solve }: Smoothed) {
-  return { step, positions, shape: stats, solve };
-}
+const stopNews = (stops: readonly Stop[]): Partial<Results> => ({
+  error: stopped(stops),
+  notice: `Stopped at step ${count(Math.max(...stops.map((stop) => stop.step)))}.`,
+});

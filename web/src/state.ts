@@ -1,9 +1,18 @@
+import type { Move } from './moves.js';
 import type { ConversionSpec, MakerInfo, OperatorInfo, PropertyId, ShapeSpec, Side } from './polylap.js';
 import { conversions, operators, shapes } from './polylap.js';
 
 export type Task = 'weights' | 'smooth' | 'harmonic' | 'dual' | 'check';
 export type Theme = 'auto' | 'light' | 'dark';
 export const sides: readonly Side[] = ['a', 'b'];
+
+type Triple = readonly [number, number, number];
+
+/** The eye and what it looks at, in the mesh's coordinates relative to its centre, but turned upright. */
+export interface Camera {
+  position: Triple;
+  target: Triple;
+}
 
 export type Parameters = Readonly<Record<string, number | string>>;
 
@@ -27,22 +36,32 @@ export interface Made {
 /** Vertex → ω, length²; of the others it is 0. */
 export type VertexWeights = Readonly<Record<number, number>>;
 
-/** Where the mesh on screen came from, and what was made of it since. */
+/** A mesh made of a side's surface, which moves had led to. */
+export interface Change extends Made {
+  side: Side;
+  moves: readonly Move[];
+}
+
+/** Where the mesh on screen came from, and what was made of it since: enough to make it again. */
 export type Source = (
   | { kind: 'preset'; id: string }
   | { kind: 'shape'; shape: Made }
-  | { kind: 'file'; name: string; repaired?: boolean }
-) & { changes?: readonly Made[] };
+  /** @param file its number among those opened since the page was loaded */
+  | { kind: 'file'; name: string; file: number; repaired?: boolean }
+) & { changes?: readonly Change[] };
 
 /** Everything a person has chosen; plain data, so that it can be stored and sent. What was computed from it is in results.ts. */
 export interface State {
-  version: 2;
+  version: 3;
   task: Task;
   source: Source;
   sides: Readonly<Record<Side, Choice>>;
   /** For the operators that take them. */
   vertexWeights: Readonly<Record<Side, VertexWeights>>;
   smooth: { timeH2: number; rebuild: boolean };
+  /** The steps since the loaded mesh, and after how many of them the surfaces are shown. */
+  moves: readonly Move[];
+  step: number;
   harmonic: { pins: readonly Pin[]; value: number };
   /** μ, and which layers are drawn. */
   dual: { mu: number; primal: boolean; edges: boolean; points: boolean };
@@ -54,6 +73,8 @@ export interface State {
   selected: number | null;
   /** Which side is seen where there is room for one. */
   shown: Side;
+  /** Where it was put; null: the whole mesh is in view. */
+  camera: Camera | null;
   theme: Theme;
 }
 
@@ -90,25 +111,34 @@ export const studied: PropertyId = 'convergent';
 /** What belongs to one mesh, and goes with it. */
 export const forAnotherMesh = (state: State) => ({
   selected: null,
+  camera: null,
   vertexWeights: { a: {}, b: {} },
+  moves: [],
+  step: 0,
   mode: { a: null, b: null },
   harmonic: { ...state.harmonic, pins: [] },
 });
 
+/** The same of a state whose mesh is made again; what it was smoothed to comes after. */
+export const belongings = ({ selected, vertexWeights, harmonic }: State) => ({ selected, vertexWeights, harmonic });
+
 export function initialState(): State {
   return {
-    version: 2,
+    version: 3,
     task: 'weights',
     source: { kind: 'preset', id: 'noisy-torus' },
     sides: { a: initialChoice(openingPair.a), b: initialChoice(openingPair.b) },
     vertexWeights: { a: {}, b: {} },
     smooth: { timeH2: 0.02, rebuild: true },
+    moves: [],
+    step: 0,
     harmonic: { pins: [], value: 1 },
     dual: { mu: 0, primal: true, edges: true, points: true },
     mode: { a: null, b: null },
     negativeShown: { weights: true, smooth: true, harmonic: false, dual: false, check: false },
     selected: null,
     shown: 'a',
+    camera: null,
     theme: 'auto',
   };
 }

@@ -110,7 +110,7 @@ export function slider(options: {
     oninput: () => options.onInput(element.valueAsNumber),
   });
   const paint = () => {
-    const share = (element.valueAsNumber - options.min) / (options.max - options.min || 1);
+    const share = (element.valueAsNumber - options.min) / (Number(element.max) - options.min || 1);
     element.style.setProperty('--share', `${100 * Math.min(1, Math.max(0, share))}%`);
   };
   element.addEventListener('input', paint);

@@ -12,6 +12,7 @@ const shortcuts: readonly (readonly [string, string])[] = [
   ['Click', 'select a vertex; pin it in Harmonic'],
   ['Enter', 'pin or unpin the selected vertex (in Harmonic, when a view has the focus)'],
   ['Space', 'play or pause (in Smooth, when a view has the focus)'],
+  ['Ctrl Z, Ctrl Shift Z', 'undo, redo: everything that changes a result'],
   ['Ctrl V', 'open the text of an OBJ, OFF, PLY or STL file from the clipboard'],
   ['?', 'this help'],
 ];

@@ -18,7 +18,7 @@ const menuValue = (source: Source) => (source.kind === 'preset' && !source.chang
 
 export function header(
   app: App,
-  actions: { open: () => void; paste: () => void; make: () => void; help: () => void },
+  actions: Record<'open' | 'paste' | 'make' | 'share' | 'help', () => void>,
 ): HTMLElement {
   const group = (label: string, entries: readonly (readonly [string, string])[]) =>
     h('optgroup', { label }, ...entries.map(([value, text]) => h('option', { value }, text)));
@@ -58,6 +58,17 @@ export function header(
       else document.documentElement.dataset.theme = value;
     },
   );
+  const undo = button('Undo', () => void app.history.undo(), { 'data-action': 'undo' });
+  const redo = button('Redo', () => void app.history.redo(), { 'data-action': 'redo' });
+  app.results.watch(
+    (results) => [results.undoes, results.redoes],
+    (undoes, redoes) => {
+      undo.disabled = undoes === null;
+      redo.disabled = redoes === null;
+      undo.title = undoes === null ? 'Nothing to undo' : `Undo: ${undoes} (Ctrl Z)`;
+      redo.title = redoes === null ? 'Nothing to redo' : `Redo: ${redoes} (Ctrl Shift Z)`;
+    },
+  );
   return h(
     'header',
     { class: 'masthead' },
@@ -68,6 +79,9 @@ export function header(
     h('span', { class: 'spring' }),
     button('Open…', actions.open, { 'data-action': 'open' }),
     button('Paste…', actions.paste, { 'data-action': 'paste' }),
+    undo,
+    redo,
+    button('Share…', actions.share, { 'data-action': 'share' }),
     theme,
     button('?', actions.help, { 'aria-label': 'Help', title: 'Help (?)', class: 'key', 'data-action': 'help' }),
   );

@@ -13,6 +13,7 @@ import { header } from './header.js';
 import { intake } from './intake.js';
 import { makeDialog } from './make-dialog.js';
 import { messageLine } from './message-line.js';
+import { shareDialog } from './share-dialog.js';
 import { smoothPanel, transport } from './smooth-panel.js';
 import { statusLine } from './status.js';
 import { tabs } from './tabs.js';
@@ -29,6 +30,7 @@ export function page(app: App, root: HTMLElement): Page {
   const help = helpDialog();
   const paste = pasteDialog(app);
   const make = makeDialog(app);
+  const share = shareDialog(app);
   const files = intake(app, root);
   const cards = { a: card(app, 'a'), b: card(app, 'b') };
   const canvas = h('canvas', { class: 'scene', 'aria-hidden': 'true' });
@@ -56,6 +58,7 @@ export function page(app: App, root: HTMLElement): Page {
     open: files.pick,
     paste: () => paste.showModal(),
     make: () => make.showModal(),
+    share: share.open,
     help: () => help.showModal(),
   });
   const leave = () => tasks.element.querySelector<HTMLElement>('[aria-selected=true]')?.focus();
@@ -80,6 +83,7 @@ export function page(app: App, root: HTMLElement): Page {
     help,
     paste,
     make,
+    share.element,
   );
   app.state.watch(
     (state) => [state.task],

@@ -1,6 +1,7 @@
 import type { App } from '../app.js';
-import { h } from '../dom.js';
+import { h, put } from '../dom.js';
 import { count, real } from '../format.js';
+import { stepsOf } from '../moves.js';
 import type { SmoothingSolve } from '../polylap.js';
 import { sides } from '../state.js';
 import { button, numberField, slider } from './controls.js';
@@ -24,6 +25,36 @@ export function transport(app: App): HTMLElement {
     },
   );
   return h('div', { class: 'buttons transport' }, play, step, reset);
+}
+
+/** Back and forth over the steps taken. */
+function scrubber(app: App): HTMLElement {
+  const track = slider({
+    label: 'Step shown',
+    min: 0,
+    max: 1,
+    step: 1,
+    onInput: (step) => app.smoothing.scrub(step),
+  });
+  track.element.dataset.field = 'step';
+  const place = h('output', { class: 'unit', 'data-readout': 'step-of' });
+  app.state.watch(
+    (state) => [state.step, state.moves],
+    (step, moves) => {
+      const steps = stepsOf(moves);
+      track.element.max = String(Math.max(1, steps));
+      track.element.disabled = steps === 0;
+      track.set(step, `${step} of ${steps}`);
+      put(place, `${count(step)} / ${count(steps)}`, step);
+    },
+  );
+  return h(
+    'div',
+    { class: 'parameter' },
+    h('span', { class: 'parameter-name', 'aria-hidden': 'true' }, 'step'),
+    track.element,
+    place,
+  );
 }
 
 function solverText({ solver, iterations }: SmoothingSolve): string {
@@ -75,6 +106,7 @@ export function smoothPanel(app: App): HTMLElement {
         h('span', {}, '(', h('i', {}, 'M'), ' + ', h('i', {}, 't S'), ') ', h('i', {}, 'x'), '′ = ', h('i', {}, 'M x')),
       ),
       transport(app),
+      scrubber(app),
       h(
         'div',
         { class: 'parameter' },

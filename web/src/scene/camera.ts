@@ -1,5 +1,6 @@
 import { PerspectiveCamera, Spherical, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import type { Camera } from '../state.js';
 
 /** Share of the view that a mesh fills at first. */
 const fill = 0.94;
@@ -12,6 +13,9 @@ export class LinkedCamera {
   private readonly controls: OrbitControls[] = [];
   private home: { position: Vector3; target: Vector3 } | null = null;
   private nudging = 0;
+  private resting: Camera | null = null;
+  /** Called when somebody has moved it and lets go. */
+  onRest: (camera: Camera) => void = () => {};
 
   constructor(
     private readonly changed: () => void,
@@ -26,6 +30,7 @@ export class LinkedCamera {
     controls.zoomToCursor = false;
     controls.addEventListener('change', this.changed);
     controls.addEventListener('start', () => this.take());
+    controls.addEventListener('end', () => this.rest());
     this.controls.push(controls);
     view.addEventListener('keydown', (event) => this.key(event));
   }
@@ -53,6 +58,22 @@ export class LinkedCamera {
     event.preventDefault();
     this.take();
     move();
+    this.rest();
+  }
+
+  private rest(): void {
+    this.resting = { position: this.camera.position.toArray(), target: this.target.toArray() };
+    this.onRest(this.resting);
+  }
+
+  /** Where it rested once; null leaves it where it is. */
+  put(camera: Camera | null): void {
+    if (!camera || camera === this.resting) return;
+    this.take();
+    this.resting = camera;
+    this.camera.position.set(...camera.position);
+    this.target.set(...camera.target);
+    this.settle();
   }
 
   private turn(theta: number, phi: number): void {
@@ -132,7 +153,7 @@ export class LinkedCamera {
   }
 
   /** Turns by angles within a time, in ms, slower and slower. */
-  private glide(span: number, theta: number, phi: number): void {
+  private glide(span: number, theta: number, phi: number, told = false): void {
     const began = performance.now();
     let done = 0;
     const frame = (now: number) => {
@@ -141,6 +162,7 @@ export class LinkedCamera {
       this.turn((reached - done) * theta, (reached - done) * phi);
       done = reached;
       if (t < 1) this.nudging = requestAnimationFrame(frame);
+      else if (told) this.rest();
     };
     this.nudging = requestAnimationFrame(frame);
   }
@@ -156,9 +178,10 @@ export class LinkedCamera {
     const phi = goal.phi - start.phi;
     if (matchMedia('(prefers-reduced-motion: reduce)').matches) {
       this.turn(theta, phi);
+      this.rest();
       return;
     }
-    this.glide(450, theta, phi);
+    this.glide(450, theta, phi, true);
   }
 
   centre(): Vector3 {

@@ -1,0 +1,138 @@
+import type { App } from './app.js';
+import type { State } from './state.js';
+
+/** At least so many changes can be undone. */
+const depth = 200;
+/** Changes of one thing within this time, in ms, are one: a slider's. */
+const breath = 700;
+
+/** The parts of the state that decide what is computed, and what they are called. */
+const parts: readonly (readonly [string, (state: State) => unknown])[] = [
+  ['the mesh', ({ source }) => source],
+  ['the operator of A', ({ sides }) => sides.a.operator],
+  ['the operator of B', ({ sides }) => sides.b.operator],
+  ['the parameters of A', ({ sides }) => sides.a.parameters],
+  ['the parameters of B', ({ sides }) => sides.b.parameters],
+  ['the vertex weights of A', ({ vertexWeights }) => vertexWeights.a],
+  ['the vertex weights of B', ({ vertexWeights }) => vertexWeights.b],
+  ['the smoothing', ({ moves }) => moves],
+  ['the step shown', ({ step }) => step],
+  ['how steps are taken', ({ smooth }) => smooth],
+  ['the pins', ({ harmonic }) => harmonic.pins],
+  ['the compromise μ', ({ dual }) => dual.mu],
+];
+const stepwise = ['the mesh', 'the smoothing'];
+
+const same = (one: unknown, other: unknown) => one === other || JSON.stringify(one) === JSON.stringify(other);
+const changes = (one: State, other: State) => parts.filter(([, pick]) => !same(pick(one), pick(other)));
+
+interface Entry {
+  /** As it was before. */
+  state: State;
+  /** What was changed then. */
+  what: string;
+}
+
+/** Undo and redo, over everything that decides what is computed. */
+export class History {
+  private done: Entry[] = [];
+  private undone: Entry[] = [];
+  private now: State;
+  private last = { what: '', at: 0 };
+  private travelling = 0;
+
+  constructor(private readonly app: App) {
+    this.now = app.state.get();
+    app.state.watch(
+      (state) => [state],
+      (state) => this.note(state),
+    );
+  }
+
+  /** What the next undo would take back, or null. */
+  get undoes(): string | null {
+    return this.done.at(-1)?.what ?? null;
+  }
+
+  get redoes(): string | null {
+    return this.undone.at(-1)?.what ?? null;
+  }
+
+  undo(): Promise<void> {
+    return this.travel(this.done, this.undone, 'Undone');
+  }
+
+  redo(): Promise<void> {
+    return this.travel(this.undone, this.done, 'Done again');
+  }
+
+  /** From here on: what a page opens with cannot be undone. */
+  begin(): void {
+    this.done = [];
+    this.undone = [];
+    this.tell();
+  }
+
+  private note(state: State): void {
+    const before = this.now;
+    this.now = state;
+    if (this.travelling > 0 || before === state) return;
+    const [first] = changes(before, state);
+    if (!first) return;
+    const [what] = first;
+    const at = performance.now();
+    const goesOn = what === this.last.what && at - this.last.at < breath && this.flows(what, before, state);
+    this.last = { what, at };
+    if (goesOn && this.done.length > 0) return;
+    this.done.push({ state: before, what });
+    if (this.done.length > depth) this.done.shift();
+    this.undone = [];
+    this.tell();
+  }
+
+  /** Whether a quick second change goes on with the first one: a value being dragged does, another pin or mesh does not. */
+  private flows(what: string, before: State, state: State): boolean {
+    if (what === 'the smoothing') return this.app.results.get().playing;
+    if (what !== 'the pins') return !stepwise.includes(what);
+    const where = ({ harmonic }: State) => harmonic.pins.map(({ vertex }) => vertex).join();
+    return where(before) === where(state);
+  }
+
+  private async travel(from: Entry[], to: Entry[], verb: string): Promise<void> {
+    const { app } = this;
+    const entry = from.pop();
+    if (!entry) return;
+    const here = app.state.get();
+    to.push({ state: here, what: entry.what });
+    this.travelling++;
+    this.last = { what: '', at: 0 };
+    this.tell();
+    try {
+      if (await app.goTo({ ...here, ...decisive(entry.state) })) app.say(`${verb}: ${entry.what}.`);
+      else {
+        to.pop();
+        from.push(entry);
+      }
+    } finally {
+      this.travelling--;
+      this.now = app.state.get();
+      this.tell();
+    }
+  }
+
+  private tell(): void {
+    this.app.results.set({ undoes: this.undoes, redoes: this.redoes });
+  }
+}
+
+/** The parts that history is about; the task, the theme and what is drawn stay as they are. */
+const decisive = ({ source, sides, vertexWeights, moves, step, smooth, harmonic, dual }: State) => ({
+  source,
+  sides,
+  vertexWeights,
+  moves,
+  step,
+  smooth,
+  harmonic,
+  dual,
+});
