@@ -186,7 +186,7 @@ Result<Vector> PinnedProblem::solve(std::span<const Index> pins, const Eigen::Re
             const Index place = reduced_[static_cast<std::size_t>(k)];
             asked[k] = values[place] - values[anchor_of(place)];
         }
-        if (asked.size() > 0) asked = system_.solve(asked);
+        if (asked.size() > 0) asked = system_->solve(asked);
         for (Eigen::Index k = 0; k < asked.size(); ++k) {
             const Index place = reduced_[static_cast<std::size_t>(k)];
             sources[place] = asked[k];
@@ -323,9 +323,9 @@ Status PinnedProblem::reduce() {
                 (source.values[at] - source.values[sink.vertex]) - (sink.values[at] - sink.values[sink.vertex]);
         }
     }
-    system_.compute(system);
-    const auto least = count == 0 ? 1 : system_.matrixLLT().diagonal().cwiseAbs2().minCoeff();
-    if (system_.info() == Eigen::Success && least >= resistance_tolerance * largest) return Done{};
+    system_.emplace(system);
+    const auto least = count == 0 ? 1 : system_->matrixLLT().diagonal().cwiseAbs2().minCoeff();
+    if (system_->info() == Eigen::Success && least >= resistance_tolerance * largest) return Done{};
     return Error{ErrorCode::not_converged, "the pins are too strongly coupled to solve for them by their potentials"};
 }
 

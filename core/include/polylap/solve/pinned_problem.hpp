@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -69,12 +70,12 @@ private:
     std::vector<Index> part_lowest_;                ///< Per part, its lowest vertex.
     SpdFactor factor_;
 
-    std::vector<Potential> potentials_;  ///< Those of pins_ first and in that order, then what was used before.
-    bool chosen_ = false;                ///< Whether what follows stands.
-    std::vector<Index> pins_;            ///< Of the last solve.
-    std::vector<Index> anchor_;          ///< Per part, the place in pins_ of its first pin.
-    std::vector<Index> reduced_;         ///< Places in pins_ of the parts' other pins.
-    Eigen::LLT<Matrix> system_;          ///< Of the reduced pins.
+    std::vector<Potential> potentials_;         ///< Those of pins_ first and in that order, then what was used before.
+    bool chosen_ = false;                       ///< Whether what follows stands.
+    std::vector<Index> pins_;                   ///< Of the last solve.
+    std::vector<Index> anchor_;                 ///< Per part, the place in pins_ of its first pin.
+    std::vector<Index> reduced_;                ///< Places in pins_ of the parts' other pins.
+    std::optional<Eigen::LLT<Matrix>> system_;  ///< Of the reduced pins. Eigen leaves an empty one's state unset.
 };
 
 }  // namespace polylap
