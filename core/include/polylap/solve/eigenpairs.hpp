@@ -16,7 +16,7 @@ struct Eigenpairs {
 inline constexpr double eigenpair_tolerance = 1e-9;
 
 /// The lowest eigenpairs of a symmetric matrix, positive semi-definite or not: dense for small matrices, beyond that
-/// shift-invert Lanczos (Spectra) that goes on until inertia counting (or, where no count is to be had, a search of the
+/// shift-invert block Lanczos that goes on until inertia counting (or, where no count is to be had, a search of the
 /// complement) shows that no eigenvalue was missed, whatever the multiplicities.
 /// @param symmetric n×n, finite, stored in full
 /// @param count     at least 1; at most n are returned
