@@ -7,6 +7,7 @@ import { fileURLToPath } from 'node:url';
 import { type Browser, type BrowserContextOptions, chromium, type Page } from 'playwright-core';
 import { afterAll, beforeAll } from 'vitest';
 import type { Side } from '../../wasm/src/types.js';
+import type { View } from '../../web/src/state.js';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 export const dist = process.env.POLYLAP_DIST ?? join(root, 'dist');
@@ -164,7 +165,7 @@ export async function shows(page: Page, name: string, a: number, b: number, tole
 }
 
 /** Clicks where a vertex is seen. */
-export async function clickVertex(page: Page, side: Side, vertex: number): Promise<void> {
+export async function clickVertex(page: Page, side: View, vertex: number): Promise<void> {
   const at = await page.evaluate(([of, number]) => globalThis.polylap.project(of, number), [side, vertex] as const);
   if (!at) throw new Error(`vertex ${vertex} is nowhere on side ${side}`);
   if (!at.visible) throw new Error(`vertex ${vertex} is hidden on side ${side}`);

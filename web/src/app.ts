@@ -1,4 +1,5 @@
 import { Answers } from './answers.js';
+import { compare } from './compare.js';
 import { History } from './history.js';
 import { Meshes } from './meshes.js';
 import { explain } from './messages.js';
@@ -23,6 +24,7 @@ export class App {
 
   /** @param client the page is there before the worker is */
   constructor(readonly client: Promise<Client>) {
+    compare(this);
     void client.then(
       (ready) => {
         // What was cancelled is told of by whoever asked for it.

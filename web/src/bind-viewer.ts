@@ -6,7 +6,7 @@ import { known } from './results.js';
 import { chain, dualLayers, negativeLines, weightCircles } from './scene/layers.js';
 import { Mark } from './scene/markers.js';
 import type { Viewer } from './scene/viewer.js';
-import { operatorOf, presets, type Source, sides } from './state.js';
+import { operatorOf, presets, type Source, sides, type View, views } from './state.js';
 
 /** A press that moves less than this, in pixels, is a click. */
 const clickReach = 5;
@@ -43,6 +43,18 @@ export function bindViewer(app: App, viewer: Viewer): void {
     bindDual(app, viewer, side);
     bindWeights(app, viewer, side);
   }
+
+  app.results.watch(
+    (results) => [results.difference, results.mesh],
+    (difference, _mesh) => {
+      if (difference) viewer.move('delta', difference.positions);
+      viewer.setValues('delta', difference?.values ?? null, difference?.range ?? null, difference?.map ?? 'viridis');
+    },
+  );
+  app.state.watch(
+    (state) => [state.delta.swipe],
+    (swipe) => viewer.setSwipe(swipe),
+  );
 
   // Once, when all there is to see is there: drawing and computing would only slow each other down.
   const stop = app.results.watch(
@@ -97,9 +109,9 @@ export function bindViewer(app: App, viewer: Viewer): void {
     const { task, selected, harmonic } = app.state.get();
     const results = app.results.get();
     const pins = task === 'harmonic' ? harmonic.pins : [];
-    for (const side of sides) {
-      const own = results[side].harmonic;
-      const outside = task === 'harmonic' && own && typeof own !== 'string' ? own.outside : [];
+    for (const side of views) {
+      const own = side === 'delta' ? null : known(results[side].harmonic);
+      const outside = task === 'harmonic' && own ? own.outside : [];
       viewer.setMarks(side, [
         { mark: Mark.hovered, vertices: results.hovered === null ? [] : [results.hovered] },
         {
@@ -165,9 +177,9 @@ function liesFlat({ positions }: Geometry): boolean {
 }
 
 /** Pointer and keys on the views. */
-export function bindInput(app: App, viewer: Viewer, views: Record<Side, HTMLElement>): void {
-  for (const side of sides) {
-    const view = views[side];
+export function bindInput(app: App, viewer: Viewer, places: Record<View, HTMLElement>): void {
+  for (const side of views) {
+    const view = places[side];
     let pressed: { x: number; y: number } | null = null;
     let looking = 0;
     view.addEventListener('pointerdown', ({ button, clientX, clientY }) => {

@@ -2,9 +2,9 @@ import { App } from './app.js';
 import { bindInput, bindKeys, bindViewer } from './bind-viewer.js';
 import { h } from './dom.js';
 import { page } from './layout/page.js';
-import { createClient, type Side } from './polylap.js';
+import { createClient } from './polylap.js';
 import { Viewer } from './scene/viewer.js';
-import { presets, sides } from './state.js';
+import { views as allViews, presets, type View } from './state.js';
 
 const app = new App(createClient());
 const open = async () => {
@@ -19,7 +19,7 @@ window.addEventListener('hashchange', () => void app.follow(location.hash));
 const { canvas, views, help } = page(app, document.getElementById('app') as HTMLElement);
 bindKeys(app, help);
 
-const overlays = sides.map((side) => {
+const overlays = allViews.map((side) => {
   const message = h('p', { class: 'view-message', hidden: true });
   views[side].append(message);
   return message;
@@ -50,8 +50,8 @@ app.results.watch(
   (mesh) => {
     // After all that is asked about a new mesh in any case.
     queueMicrotask(() => {
-      const { selected, shown } = app.state.get();
-      if (mesh && app.results.get().mesh === mesh && selected === null) app.select(viewer?.front(shown) ?? 0);
+      const { selected } = app.state.get();
+      if (mesh && app.results.get().mesh === mesh && selected === null) app.select(viewer?.front() ?? 0);
     });
   },
 );
@@ -70,7 +70,7 @@ const handle = {
   results: () => app.results.get(),
   idle: () => app.idle,
   /** Where a vertex is on the page, in CSS pixels, and whether nothing hides it. */
-  project: (side: Side, vertex: number) => viewer?.project(side, vertex) ?? null,
+  project: (view: View, vertex: number) => viewer?.project(view, vertex) ?? null,
 };
 Object.assign(globalThis, { polylap: handle });
 declare global {

@@ -5,6 +5,7 @@ import {
   type Camera,
   type Change,
   type Choice,
+  gains,
   initialParameters,
   initialState,
   type Made,
@@ -14,6 +15,7 @@ import {
   type State,
   sides,
   type VertexWeights,
+  views,
 } from './state.js';
 
 type Fields = Readonly<Record<string, unknown>>;
@@ -64,7 +66,8 @@ export function readState(value: unknown): State {
     mode: perSide('mode', (mode, name) => (mode === null ? null : whole(mode, 0, maxIndex, name))),
     negativeShown: negativeShown as State['negativeShown'],
     selected: all.selected === null ? null : whole(all.selected, 0, maxIndex, 'the selected vertex'),
-    shown: among(all.shown, sides, 'the side shown'),
+    shown: among(all.shown, views, 'the view shown'),
+    delta: readDelta(all.delta),
     camera: readCamera(all.camera),
     theme: among(all.theme, ['auto', 'light', 'dark'], 'the theme'),
   };
@@ -153,6 +156,15 @@ function readWeights(value: unknown, name: string): VertexWeights {
   return Object.fromEntries(
     entries.map(([vertex, weight]) => [whole(Number(vertex), 0, maxIndex, `a vertex of ${name}`), real(weight, name)]),
   );
+}
+
+function readDelta(value: unknown): State['delta'] {
+  const { open, gain, swipe } = fields(value, 'the difference');
+  const allowed = gains.find((each) => each === gain);
+  if (allowed === undefined) throw new Error(`the difference cannot be amplified ${show(gain)} times`);
+  const share = swipe === null ? null : real(swipe, 'the swipe');
+  if (share !== null && (share < 0 || share > 1)) throw new Error(`the swipe cannot be ${share}`);
+  return { open: truth(open, 'open'), gain: allowed, swipe: share };
 }
 
 function readCamera(value: unknown): Camera | null {

@@ -1,3 +1,4 @@
+import type { Difference } from './difference.js';
 import type {
   Check,
   ConvergenceStudy,
@@ -57,6 +58,8 @@ export interface Results {
   error: Message | null;
   /** What was done to a file on its way in. */
   report: Message | null;
+  /** Of the sides, while somebody looks at it. */
+  difference: Difference | null;
   /** The status line. */
   notice: string;
   busy: Busy | null;
@@ -92,6 +95,7 @@ export function noResults(): Results {
     b: freshSide(),
     error: null,
     report: null,
+    difference: null,
     notice: 'Starting …',
     busy: null,
     playing: false,

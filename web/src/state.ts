@@ -5,6 +5,10 @@ import { conversions, operators, shapes } from './polylap.js';
 export type Task = 'weights' | 'smooth' | 'harmonic' | 'dual' | 'check';
 export type Theme = 'auto' | 'light' | 'dark';
 export const sides: readonly Side[] = ['a', 'b'];
+/** Both sides, and what tells them apart. */
+export type View = Side | 'delta';
+export const views: readonly View[] = [...sides, 'delta'];
+export const gains = [1, 10, 100] as const;
 
 type Triple = readonly [number, number, number];
 
@@ -71,8 +75,10 @@ export interface State {
   negativeShown: Readonly<Record<Task, boolean>>;
   /** The vertex whose numbers are read. */
   selected: number | null;
-  /** Which side is seen where there is room for one. */
-  shown: Side;
+  /** Which view is seen where there is room for one. */
+  shown: View;
+  /** The third view: whether there is one, the difference so many times, or (swipe) that share of it A and the rest B. */
+  delta: { open: boolean; gain: (typeof gains)[number]; swipe: number | null };
   /** Where it was put; null: the whole mesh is in view. */
   camera: Camera | null;
   theme: Theme;
@@ -138,6 +144,7 @@ export function initialState(): State {
     negativeShown: { weights: true, smooth: true, harmonic: false, dual: false, check: false },
     selected: null,
     shown: 'a',
+    delta: { open: false, gain: 1, swipe: null },
     camera: null,
     theme: 'auto',
   };

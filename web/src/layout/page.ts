@@ -1,11 +1,12 @@
 import type { App } from '../app.js';
 import { h, put } from '../dom.js';
 import { count } from '../format.js';
-import type { Side } from '../polylap.js';
 import { known } from '../results.js';
-import { sides, type Task } from '../state.js';
+import { type Task, type View, views } from '../state.js';
 import { card } from './card.js';
 import { checkPanel } from './check-panel.js';
+import { button } from './controls.js';
+import { deltaCard } from './delta-card.js';
 import { helpDialog, pasteDialog } from './dialogs.js';
 import { dualPanel } from './dual-panel.js';
 import { harmonicPanel } from './harmonic-panel.js';
@@ -21,7 +22,7 @@ import { weightsPanel } from './weights-panel.js';
 
 export interface Page {
   canvas: HTMLCanvasElement;
-  views: Record<Side, HTMLElement>;
+  views: Record<View, HTMLElement>;
   help: () => void;
 }
 
@@ -32,7 +33,7 @@ export function page(app: App, root: HTMLElement): Page {
   const make = makeDialog(app);
   const share = shareDialog(app);
   const files = intake(app, root);
-  const cards = { a: card(app, 'a'), b: card(app, 'b') };
+  const cards = { a: card(app, 'a'), b: card(app, 'b'), delta: deltaCard(app) };
   const canvas = h('canvas', { class: 'scene', 'aria-hidden': 'true' });
   const panels: Record<Task, HTMLElement> = {
     weights: weightsPanel(app),
@@ -53,7 +54,7 @@ export function page(app: App, root: HTMLElement): Page {
     (task) => app.setTask(task),
   );
   const narrowTransport = h('div', { class: 'narrow-transport' }, transport(app));
-  const stage = h('div', { class: 'stage' }, cards.a.element, cards.b.element, canvas);
+  const stage = h('div', { class: 'stage' }, cards.a.element, cards.b.element, cards.delta.element, canvas);
   const masthead = header(app, {
     open: files.pick,
     paste: () => paste.showModal(),
@@ -70,6 +71,7 @@ export function page(app: App, root: HTMLElement): Page {
       { class: 'task-line', 'aria-label': 'Task and messages' },
       tasks.element,
       h('div', { class: 'messages' }, messageLine(app, 'error', leave), messageLine(app, 'report', leave)),
+      deltaToggle(app),
     ),
     h(
       'main',
@@ -98,36 +100,61 @@ export function page(app: App, root: HTMLElement): Page {
       stage.dataset.shown = shown;
     },
   );
-  return { canvas, views: { a: cards.a.view, b: cards.b.view }, help: () => help.showModal() };
+  app.state.watch(
+    (state) => [state.delta.open],
+    (open) => {
+      stage.dataset.delta = String(open);
+    },
+  );
+  return { canvas, views: { a: cards.a.view, b: cards.b.view, delta: cards.delta.view }, help: () => help.showModal() };
 }
 
-/** Where there is room for one side only: which one, with the numbers of both. */
+/** Where there is room for three views. */
+function deltaToggle(app: App): HTMLElement {
+  const element = button(
+    'Δ Difference',
+    () => {
+      const { delta } = app.state.get();
+      app.state.set({ delta: { ...delta, open: !delta.open } });
+    },
+    { class: 'delta-toggle', 'data-action': 'delta', title: 'What tells B from A, in a third view' },
+  );
+  app.state.watch(
+    (state) => [state.delta.open],
+    (open) => element.setAttribute('aria-pressed', String(open)),
+  );
+  return element;
+}
+
+/** Where there is room for one view only: which one, with the numbers of all. */
 function sideSwitch(app: App): HTMLElement {
-  const buttons = sides.map((side) => {
-    const number = h('span', { 'data-readout': 'negative-short' });
+  const buttons = views.map((view) => {
+    const number = h('span', { 'data-readout': view === 'delta' ? undefined : 'negative-short' });
     const element = h(
       'button',
-      { type: 'button', onclick: () => app.state.set({ shown: side }) },
-      h('b', {}, side.toUpperCase()),
+      { type: 'button', onclick: () => app.state.set({ shown: view }) },
+      h('b', {}, view === 'delta' ? 'Δ' : view.toUpperCase()),
       ' ',
       number,
     );
-    app.results.watch(
-      (results) => [results[side].weights],
-      (weights) => {
-        const negative = known(weights)?.negativeOrdered ?? null;
-        put(number, negative === null ? '–' : count(negative), negative);
-        element.setAttribute(
-          'aria-label',
-          `Side ${side.toUpperCase()}, ${negative ?? 'unknown number of'} negative weights`,
-        );
-      },
-    );
+    if (view === 'delta') element.setAttribute('aria-label', 'Difference of A and B');
+    else
+      app.results.watch(
+        (results) => [results[view].weights],
+        (weights) => {
+          const negative = known(weights)?.negativeOrdered ?? null;
+          put(number, negative === null ? '–' : count(negative), negative);
+          element.setAttribute(
+            'aria-label',
+            `Side ${view.toUpperCase()}, ${negative ?? 'unknown number of'} negative weights`,
+          );
+        },
+      );
     app.state.watch(
       (state) => [state.shown],
-      (shown) => element.setAttribute('aria-pressed', String(shown === side)),
+      (shown) => element.setAttribute('aria-pressed', String(shown === view)),
     );
     return element;
   });
-  return h('div', { class: 'side-switch', role: 'group', 'aria-label': 'Side shown' }, ...buttons);
+  return h('div', { class: 'side-switch', role: 'group', 'aria-label': 'View shown' }, ...buttons);
 }

@@ -1,9 +1,9 @@
 import type { App } from '../app.js';
-import { type ColourMap, colourMap } from '../colour-maps.js';
 import { colouring } from '../colouring.js';
 import { h, put } from '../dom.js';
 import { count, exact } from '../format.js';
 import { button } from './controls.js';
+import { ramp } from './ramp.js';
 
 /** The line at the bottom: what happened, what is under way, and the legend that both sides share. */
 export function statusLine(app: App): HTMLElement {
@@ -64,19 +64,13 @@ function legend(app: App): HTMLElement {
   );
   const low = h('output', { 'data-readout': 'range-min' });
   const high = h('output', { 'data-readout': 'range-max' });
-  const ramp = h('canvas', { width: 256, height: 1, class: 'ramp', 'aria-hidden': 'true' });
-  const paint = (map: ColourMap, single: boolean) => {
-    const colours = colourMap(map);
-    const middle = colours.subarray(4 * 128, 4 * 129);
-    const shown = single ? Uint8ClampedArray.from(colours, (_, k) => middle[k % 4] as number) : colours;
-    ramp.getContext('2d')?.putImageData(new ImageData(new Uint8ClampedArray(shown), 256, 1), 0, 0);
-  };
+  const strip = ramp();
   const outside = h('span', { class: 'legend-outside' }, '× outside');
   const values = h(
     'span',
     { class: 'legend-values', role: 'group', 'aria-label': 'Colours of A and B' },
     low,
-    ramp,
+    strip.element,
     high,
     outside,
   );
@@ -94,7 +88,7 @@ function legend(app: App): HTMLElement {
     const { range, map } = coloured;
     const single = range.single !== null;
     values.classList.toggle('single', single);
-    paint(map, single);
+    strip.paint(map, single);
     high.hidden = single;
     outside.hidden = single || task !== 'harmonic';
     if (range.single !== null) {

@@ -1,7 +1,8 @@
 import { type Material, Matrix4, Scene, type Texture, Vector3, WebGLRenderer, WebGLRenderTarget } from 'three';
 import { type ColourMap, colourTexture } from '../colour-maps.js';
-import type { Geometry, Side } from '../polylap.js';
-import { type Pin, sides } from '../state.js';
+import { meanEdge } from '../mean-edge.js';
+import type { Geometry } from '../polylap.js';
+import { type Pin, type View, views } from '../state.js';
 import { LinkedCamera } from './camera.js';
 import { readColours } from './colours.js';
 import { triangleTexture } from './data-texture.js';
@@ -26,8 +27,10 @@ export class Viewer {
   private readonly renderer: WebGLRenderer;
   private readonly pickTarget = new WebGLRenderTarget(1, 1);
   private readonly maps = { viridis: colourTexture('viridis'), 'red-blue': colourTexture('red-blue') };
-  private readonly labels: Record<Side, Labels>;
-  private shown: Record<Side, Shown> | null = null;
+  private readonly labels: Record<View, Labels>;
+  private shown: Record<View, Shown> | null = null;
+  /** Where the third view shows A on its left and B on its right: which share of it is A's. */
+  private swipe: number | null = null;
   private geometry: Geometry | null = null;
   private triangles: Texture | null = null;
   private frame = 0;
@@ -39,7 +42,7 @@ export class Viewer {
 
   constructor(
     private readonly canvas: HTMLCanvasElement,
-    private readonly views: Record<Side, HTMLElement>,
+    private readonly places: Record<View, HTMLElement>,
     private readonly afterFrame: () => void,
   ) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
@@ -50,10 +53,10 @@ export class Viewer {
         this.framed = false;
       },
     );
-    this.labels = { a: new Labels(views.a), b: new Labels(views.b) };
-    for (const side of sides) this.camera.attach(views[side]);
+    this.labels = { a: new Labels(places.a), b: new Labels(places.b), delta: new Labels(places.delta) };
+    for (const view of views) this.camera.attach(places[view]);
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement as HTMLElement);
-    for (const side of sides) new ResizeObserver(() => this.resize()).observe(views[side]);
+    for (const view of views) new ResizeObserver(() => this.resize()).observe(places[view]);
     canvas.addEventListener('webglcontextrestored', () => this.request());
   }
 
@@ -76,23 +79,23 @@ export class Viewer {
       scene.updateMatrixWorld(true);
       return { scene, surface, layers: new Map(), markers };
     };
-    this.shown = { a: make(), b: make() };
+    this.shown = { a: make(), b: make(), delta: make() };
     this.recolour();
     this.framed = true;
     this.framedAspect = 0;
     this.fit();
   }
 
-  move(side: Side, points: Float32Array): void {
-    const surface = this.shown?.[side].surface;
+  move(view: View, points: Float32Array): void {
+    const surface = this.shown?.[view].surface;
     if (!surface || surface.points === points) return;
     surface.move(points);
     this.request();
   }
 
   /** Puts a layer in the place of the one with that name; null: none. */
-  setLayer(side: Side, name: LayerName, layer: Layer | null): void {
-    const shown = this.shown?.[side];
+  setLayer(view: View, name: LayerName, layer: Layer | null): void {
+    const shown = this.shown?.[view];
     const before = shown?.layers.get(name);
     if (!shown || (!before && !layer)) return;
     if (before) {
@@ -113,8 +116,8 @@ export class Viewer {
   showLayer(name: LayerName, visible: boolean): void {
     if (visible) this.hiddenLayers.delete(name);
     else this.hiddenLayers.add(name);
-    for (const side of sides) {
-      const layer = this.shown?.[side].layers.get(name);
+    for (const view of views) {
+      const layer = this.shown?.[view].layers.get(name);
       if (layer) layer.object.visible = visible;
     }
     this.request();
@@ -122,30 +125,36 @@ export class Viewer {
 
   /** See Surface.fade. */
   fade(faded: number, edges: number): void {
-    for (const side of sides) this.shown?.[side].surface.fade(faded, edges);
+    for (const view of views) this.shown?.[view].surface.fade(faded, edges);
     this.request();
   }
 
-  setValues(side: Side, values: Float64Array | null, range: { min: number; max: number } | null, map: ColourMap): void {
-    this.shown?.[side].surface.show(values, range, this.maps[map]);
+  setValues(view: View, values: Float64Array | null, range: { min: number; max: number } | null, map: ColourMap): void {
+    this.shown?.[view].surface.show(values, range, this.maps[map]);
     this.request();
   }
 
-  setMarks(side: Side, groups: readonly { mark: Mark; vertices: ArrayLike<number> }[]): void {
-    this.shown?.[side].markers.show(groups);
+  setMarks(view: View, groups: readonly { mark: Mark; vertices: ArrayLike<number> }[]): void {
+    this.shown?.[view].markers.show(groups);
+    this.request();
+  }
+
+  /** @param share of the third view that shows A, beside B; null: it shows the difference */
+  setSwipe(share: number | null): void {
+    this.swipe = share;
     this.request();
   }
 
   setLabels(pins: readonly Pin[]): void {
-    for (const side of sides) this.labels[side].set(pins);
+    for (const view of views) this.labels[view].set(pins);
     this.request();
   }
 
   /** Reads the colours anew, after the theme changed. */
   recolour(): void {
     const colours = readColours(this.canvas.parentElement ?? document.body);
-    for (const side of sides) {
-      const shown = this.shown?.[side];
+    for (const view of views) {
+      const shown = this.shown?.[view];
       if (!shown) continue;
       const take = (material: { uniforms: Record<string, { value: unknown }> }) => {
         for (const [name, colour] of Object.entries(colours))
@@ -164,9 +173,9 @@ export class Viewer {
   // --- vertices and pixels ------------------------------------------------------------------------------------------------
 
   /** Where a vertex is on the page, and whether nothing hides it. */
-  project(side: Side, vertex: number): { x: number; y: number; visible: boolean } | null {
-    const shown = this.shown?.[side];
-    const box = this.views[side].getBoundingClientRect();
+  project(view: View, vertex: number): { x: number; y: number; visible: boolean } | null {
+    const shown = this.shown?.[view];
+    const box = this.places[view].getBoundingClientRect();
     if (!shown || !this.geometry || box.width === 0) return null;
     this.aim(box);
     const world = this.toWorld(shown, vertex);
@@ -180,12 +189,14 @@ export class Viewer {
   }
 
   /** The vertex meant by a point of the page: the nearest corner of the face seen there. */
-  pick(side: Side, clientX: number, clientY: number): number | null {
-    const shown = this.shown?.[side];
-    const box = this.views[side].getBoundingClientRect();
-    if (!shown || !this.geometry || box.width === 0) return null;
+  pick(view: View, clientX: number, clientY: number): number | null {
+    const box = this.places[view].getBoundingClientRect();
     const x = clientX - box.x;
     const y = clientY - box.y;
+    const [shown] = this.contentsOf(view, box.width)
+      .filter(({ from, to }) => from <= x && x < to)
+      .map(({ shown }) => shown);
+    if (!shown || !this.geometry || box.width === 0) return null;
     const face = this.faceAt(shown, box, x, y);
     const { offsets, corners, positions } = this.geometry;
     let best: { vertex: number; distance: number } | null = null;
@@ -202,34 +213,35 @@ export class Viewer {
     return (best as { vertex: number } | null)?.vertex ?? null;
   }
 
-  /** A vertex that is seen near the middle of a view, rather below it: there the surface faces the eye. */
-  front(side: Side): number | null {
-    const { x, y, width, height } = this.views[side].getBoundingClientRect();
+  /** A vertex that is seen near the middle of the first view there is, rather below it: there the surface faces the eye. */
+  front(): number | null {
+    const view = views.find((each) => this.places[each].clientWidth > 0) ?? 'a';
+    const { x, y, width, height } = this.places[view].getBoundingClientRect();
     for (const down of [0.6, 0.72, 0.5, 0.4, 0.28]) {
-      const vertex = this.pick(side, x + 0.5 * width, y + down * height);
+      const vertex = this.pick(view, x + 0.5 * width, y + down * height);
       if (vertex !== null) return vertex;
     }
     return null;
   }
 
-  normalOf(side: Side, vertex: number): [number, number, number] {
-    const surface = this.shown?.[side].surface;
+  normalOf(view: View, vertex: number): [number, number, number] {
+    const surface = this.shown?.[view].surface;
     return surface && this.geometry ? vertexNormal(this.geometry, surface.faceNormals, vertex) : [0, 0, 1];
   }
 
   /** Turns the camera until a vertex is seen, unless it is in full view already. */
-  turnTo(side: Side, vertex: number): void {
+  turnTo(view: View, vertex: number): void {
     const { shown, geometry } = this;
     if (!shown || !geometry) return;
-    const { surface, scene } = shown[side];
-    const normal = new Vector3(...this.normalOf(side, vertex)).transformDirection(scene.matrix);
-    const at = this.toWorld(shown[side], vertex);
+    const { surface, scene } = shown[view];
+    const normal = new Vector3(...this.normalOf(view, vertex)).transformDirection(scene.matrix);
+    const at = this.toWorld(shown[view], vertex);
     const now = this.camera.direction();
     const seen = (from: Vector3) => {
-      const eye = this.toModel(shown[side], this.camera.placeFrom(from));
+      const eye = this.toModel(shown[view], this.camera.placeFrom(from));
       return !hidden(eye, vertex, surface.points, geometry.triangles);
     };
-    if (this.project(side, vertex)?.visible && normal.dot(now) > 0.5) return;
+    if (this.project(view, vertex)?.visible && normal.dot(now) > 0.5) return;
     // Rather from above and from outside than straight on, where something stands before it.
     const up = new Vector3(0, 1, 0);
     const out = at.clone().sub(this.camera.centre()).normalize();
@@ -290,8 +302,8 @@ export class Viewer {
   }
 
   private fit(): void {
-    const box = sides
-      .map((side) => this.views[side].getBoundingClientRect())
+    const box = views
+      .map((view) => this.places[view].getBoundingClientRect())
       .find(({ width, height }) => width > 0 && height > 0);
     const shown = this.shown?.a;
     if (!box || !shown || !this.geometry) return;
@@ -326,26 +338,29 @@ export class Viewer {
     const stage = this.canvas.getBoundingClientRect();
     const ratio = renderer.getPixelRatio();
     renderer.setScissorTest(true);
-    for (const side of sides) {
-      const box = this.views[side].getBoundingClientRect();
+    for (const view of views) {
+      const box = this.places[view].getBoundingClientRect();
       if (box.width === 0 || box.height === 0) continue;
-      const { scene, surface, layers, markers } = shown[side];
       this.aim(box);
       const lengthPerPixel =
         (2 * this.camera.distance() * Math.tan((this.camera.camera.fov * Math.PI) / 360)) / box.height;
-      for (const layer of layers.values()) layer.fit(box.width, box.height, ratio, lengthPerPixel);
-      for (const { uniforms } of [surface.material, markers.material])
-        if (uniforms.pixelRatio) uniforms.pixelRatio.value = ratio;
+      const left = box.left - stage.left;
       const bottom = stage.bottom - box.bottom;
-      renderer.setViewport(box.left - stage.left, bottom, box.width, box.height);
-      renderer.setScissor(box.left - stage.left, bottom, box.width, box.height);
-      renderer.render(scene, this.camera.camera);
-      this.labels[side].place(
+      renderer.setViewport(left, bottom, box.width, box.height);
+      for (const { shown: content, from, to } of this.contentsOf(view, box.width)) {
+        const { scene, surface, layers, markers } = content;
+        for (const layer of layers.values()) layer.fit(box.width, box.height, ratio, lengthPerPixel);
+        for (const { uniforms } of [surface.material, markers.material])
+          if (uniforms.pixelRatio) uniforms.pixelRatio.value = ratio;
+        renderer.setScissor(left + from, bottom, to - from, box.height);
+        renderer.render(scene, this.camera.camera);
+      }
+      this.labels[view].place(
         this.camera.camera,
-        surface.points,
+        shown[view].surface.points,
         geometry.triangles,
-        (vertex) => this.toWorld(shown[side], vertex),
-        (world) => this.toModel(shown[side], world),
+        (vertex) => this.toWorld(shown[view], vertex),
+        (world) => this.toModel(shown[view], world),
         box.width,
         box.height,
       );
@@ -353,9 +368,21 @@ export class Viewer {
     this.afterFrame();
   }
 
+  /** What a view of that width shows, from which pixel to which. */
+  private contentsOf(view: View, width: number): { shown: Shown; from: number; to: number }[] {
+    const { shown, swipe } = this;
+    if (!shown) return [];
+    if (view !== 'delta' || swipe === null) return [{ shown: shown[view], from: 0, to: width }];
+    const middle = Math.round(swipe * width);
+    return [
+      { shown: shown.a, from: 0, to: middle },
+      { shown: shown.b, from: middle, to: width },
+    ].filter(({ from, to }) => from < to);
+  }
+
   private clear(): void {
-    for (const side of sides) {
-      const shown = this.shown?.[side];
+    for (const view of views) {
+      const shown = this.shown?.[view];
       shown?.surface.dispose();
       for (const layer of shown?.layers.values() ?? []) layer.dispose();
       shown?.markers.dispose();
@@ -363,22 +390,4 @@ export class Viewer {
     this.triangles?.dispose();
     this.shown = null;
   }
-}
-
-function meanEdge({ positions, offsets, corners }: Geometry): number {
-  let sum = 0;
-  for (let f = 0; f + 1 < offsets.length; f++) {
-    const last = (offsets[f + 1] as number) - 1;
-    let before = 3 * (corners[last] as number);
-    for (let c = offsets[f] as number; c <= last; c++) {
-      const here = 3 * (corners[c] as number);
-      sum += Math.hypot(
-        (positions[here] as number) - (positions[before] as number),
-        (positions[here + 1] as number) - (positions[before + 1] as number),
-        (positions[here + 2] as number) - (positions[before + 2] as number),
-      );
-      before = here;
-    }
-  }
-  return sum / corners.length;
 }
