@@ -21,20 +21,21 @@ double width_of(const Eigen::Ref<const Vector>& values) {
 
 Result<HarmonicProblem::Solution> HarmonicProblem::solve(std::span<const Index> pins,
                                                          const Eigen::Ref<const Vector>& values,
-                                                         const Points& positions, KnownAnalyses& analyses,
-                                                         Monitor monitor) {
+                                                         const Resources& resources, Monitor monitor) {
     const bool known = eliminated_ && std::equal(pins.begin(), pins.end(), fixed_.begin(), fixed_.end());
     if (!known) {
         const double base = base_of(values);
         const Vector above = values.array() - base;
-        if (auto u = solve_pinned(pins, above, positions, analyses, monitor); u) {
+        if (auto u = solve_pinned(pins, above, resources, monitor); u) {
             if (!*u) return u->error();
             return Solution{**std::move(u), base};
         }
         pinned_.reset();
         answer_.reset();
         eliminated_.reset();  // before the next needs memory
-        auto created = DirichletProblem::create(matrices_->stiffness, pins, matrices_->structure, positions, monitor);
+        resources.make_room();
+        auto created =
+            DirichletProblem::create(matrices_->stiffness, pins, matrices_->structure, resources.positions, monitor);
         if (!created) return created.error();
         eliminated_ = *std::move(created);
         fixed_.assign(pins.begin(), pins.end());
@@ -78,19 +79,20 @@ std::optional<Result<HarmonicProblem::Solution>> HarmonicProblem::move_one(const
 
 std::optional<Result<Vector>> HarmonicProblem::solve_pinned(std::span<const Index> pins,
                                                             const Eigen::Ref<const Vector>& values,
-                                                            const Points& positions, KnownAnalyses& analyses,
-                                                            Monitor monitor) {
+                                                            const Resources& resources, Monitor monitor) {
     if (!grounds_) return std::nullopt;
     if (!pinned_) {
         if (!PinnedProblem::may_pay(pins.size(), matrices_->stiffness.rows())) return std::nullopt;
         Stretch analysing{monitor, 0, 0.2};
-        auto created = PinnedProblem::create(matrices_->stiffness, positions, analyses.kept(), analysing.monitor());
+        auto created = PinnedProblem::create(matrices_->stiffness, resources.positions, resources.analyses.kept(),
+                                             analysing.monitor());
         if (!created) return created.error();
         pinned_ = *std::move(created);
-        analyses.keep(pinned_->analysis());
+        resources.analyses.keep(pinned_->analysis());
     }
     if (!pinned_->pays(pins)) return std::nullopt;
     eliminated_.reset();
+    if (pinned_->bytes() == 0) resources.make_room();
     Stretch solving{monitor, 0.2, 1};
     auto u = pinned_->solve(pins, values, solving.monitor());
     if (!u && u.error().code == ErrorCode::not_positive_definite) {

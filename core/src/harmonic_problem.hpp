@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -28,14 +30,25 @@ public:
         Vector above;
         double base;
     };
-    /// @param positions V×3, for orderings   @return and @error as of DirichletProblem, with one value per pin
-    Result<Solution> solve(std::span<const Index> pins, const Eigen::Ref<const Vector>& values, const Points& positions,
-                           KnownAnalyses& analyses, Monitor monitor);
+    /// What a solution may need from outside.
+    struct Resources {
+        const Points& positions;  ///< V×3, for orderings
+        KnownAnalyses& analyses;
+        std::function<void()> make_room;  ///< Called before there is another factor.
+    };
+    /// @return and @error as of DirichletProblem, with one value per pin
+    Result<Solution> solve(std::span<const Index> pins, const Eigen::Ref<const Vector>& values,
+                           const Resources& resources, Monitor monitor);
+
+    /// Of memory for the factor's numbers, and what was solved with them.
+    std::int64_t bytes() const noexcept {
+        return (pinned_ ? pinned_->bytes() : 0) + (eliminated_ ? eliminated_->bytes() : 0);
+    }
 
 private:
     /// Nothing where elimination must, or had better, do it.
     std::optional<Result<Vector>> solve_pinned(std::span<const Index> pins, const Eigen::Ref<const Vector>& values,
-                                               const Points& positions, KnownAnalyses& analyses, Monitor monitor);
+                                               const Resources& resources, Monitor monitor);
     Result<Solution> solve_eliminated(const Eigen::Ref<const Vector>& values);
     std::optional<Result<Solution>> move_one(const Eigen::Ref<const Vector>& values);
     double base_of(const Eigen::Ref<const Vector>& values) const;

@@ -14,15 +14,6 @@ namespace polylap {
 /// harmonic functions of both sides. Two, because the sides' operators may join different vertices.
 class KnownAnalyses {
 public:
-    /// Null where none fits.
-    std::shared_ptr<const SpdAnalysis> find(const SparseMatrix& a) {
-        const auto fitting = std::find_if(
-            kept_.begin(), kept_.end(), [&](const auto& analysis) { return analysis != nullptr && analysis->fits(a); });
-        if (fitting == kept_.end()) return nullptr;
-        std::rotate(kept_.begin(), fitting, fitting + 1);
-        return kept_.front();
-    }
-
     /// The last ones; null where there were not as many.
     std::span<const std::shared_ptr<const SpdAnalysis>> kept() const { return kept_; }
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "cache.hpp"
+#include "factor_room.hpp"
 #include "harmonic_problem.hpp"
 #include "known_analyses.hpp"
 #include "polylap/mesh/mesh_io.hpp"
@@ -20,21 +21,38 @@ struct MatricesKey {
     friend bool operator==(const MatricesKey&, const MatricesKey&) = default;
 };
 
+std::int64_t bytes_of(const SparseMatrix& matrix) {
+    return std::int64_t{matrix.nonZeros()} * static_cast<std::int64_t>(sizeof(double) + sizeof(Index));
+}
+std::int64_t bytes_of(const OperatorMatrices& matrices) {
+    return bytes_of(matrices.stiffness) + bytes_of(matrices.mass);
+}
+std::int64_t bytes_of(const PropertyReport& report) {
+    return std::int64_t{report.kernel_modes.size()} * static_cast<std::int64_t>(sizeof(double));
+}
+
+/// Beyond this, only the matrices (the report) that were used last are kept: those of 500 000 vertices, of quads, have
+/// half of it. All are made again in a fraction of the time that a factor takes.
+constexpr std::int64_t most_kept_bytes = std::int64_t{128} << 20;
+
+/// Beyond this, a new factor takes the place of those that were used longest ago. On a quad mesh of a million vertices
+/// one has 700 MB.
+constexpr std::int64_t most_factor_bytes = std::int64_t{768} << 20;
+
 /// The last system M + tS of a side, with its factor where there is one.
 struct SmootherSlot {
     std::optional<MatricesKey> matrices;
     double time = 0;
     std::optional<ImplicitSmoother> smoother;
+    std::int64_t last_use = 0;
 
-    /// @param options what is known of the ordering, and for how many steps the system will stand
-    Status prepare(const MatricesKey& key, double t, const OperatorMatrices& built, KnownAnalyses& analyses,
-                   const SmootherOptions& options, Monitor monitor) {
-        if (matrices == key && time == t) return Done{};
+    std::int64_t bytes() const { return smoother ? smoother->bytes() : 0; }
+    bool holds(const MatricesKey& key, double t) const { return matrices == key && time == t; }
+
+    Status prepare(const MatricesKey& key, double t, const OperatorMatrices& built, const SmootherOptions& options) {
         matrices.reset();
         if (!smoother) smoother.emplace();
-        // The pattern of M + tS is that of S, but for odd meshes.
-        if (auto known = analyses.find(built.stiffness)) smoother->use(std::move(known));
-        if (Status status = smoother->update(built, t, options, monitor); !status) return status;
+        if (Status status = smoother->update_later(built, t, options); !status) return status;
         matrices = key;
         time = t;
         return Done{};
@@ -45,6 +63,9 @@ struct SmootherSlot {
 struct HarmonicSlot {
     std::optional<MatricesKey> matrices;
     std::optional<HarmonicProblem> problem;
+    std::int64_t last_use = 0;
+
+    std::int64_t bytes() const { return problem ? problem->bytes() : 0; }
 };
 
 struct SideState {
@@ -70,11 +91,12 @@ struct Session::Impl {
     std::int64_t last_version = 0;
 
     // Two sides before and after a step, or two sides with two specs each.
-    Cache<MatricesKey, OperatorMatrices, 4> matrices;
+    Cache<MatricesKey, OperatorMatrices, 4, bytes_of> matrices{most_kept_bytes};
     KnownAnalyses analyses;
     std::array<SmootherSlot, 2> smoothers;
     std::array<HarmonicSlot, 2> harmonics;
-    Cache<MatricesKey, PropertyReport, 4> reports;
+    Cache<MatricesKey, PropertyReport, 4, bytes_of> reports{most_kept_bytes};
+    std::int64_t uses = 0;
 
     Impl(PolygonMesh mesh, DisplayTriangles triangles)
         : loaded(std::move(mesh)),
@@ -92,6 +114,30 @@ struct Session::Impl {
     Result<std::shared_ptr<const OperatorMatrices>> build(const PolygonMesh& surface, const MatricesKey& key,
                                                           Monitor monitor) {
         return matrices.get(key, [&] { return build_operator(surface, key.spec, monitor); });
+    }
+
+    /// Drops factors of other slots until there is room for one in this.
+    void make_room(const void* slot) {
+        const auto for_slots = [this](auto&& visit) {
+            std::size_t k = 0;
+            for (SmootherSlot& one : smoothers)
+                visit(one, k++);
+            for (HarmonicSlot& one : harmonics)
+                visit(one, k++);
+        };
+        for (;;) {
+            std::array<KeptFactor, 4> factors;
+            std::size_t mine = factors.size();
+            for_slots([&](const auto& one, std::size_t k) {
+                factors[k] = {one.bytes(), one.last_use};
+                if (&one == slot) mine = k;
+            });
+            const auto dropped = factor_to_drop(factors, mine, most_factor_bytes);
+            if (!dropped) return;
+            for_slots([&](auto& one, std::size_t k) {
+                if (k == dropped) one = {};
+            });
+        }
     }
 
     std::vector<float> to_float(const Points& points) const {
@@ -247,18 +293,24 @@ Status Session::smooth(Side side, const SmoothOptions& options, Monitor monitor)
             const auto at = [&](double part) { return (k + part) / options.steps; };
             if (!monitor.proceed(at(0))) return Error{ErrorCode::cancelled, "cancelled"};
             Stretch building{monitor, at(0), at(0.3)};
-            Stretch preparing{monitor, at(0.3), at(0.7)};
-            Stretch stepping{monitor, at(0.7), at(1)};
+            Stretch stepping{monitor, at(0.3), at(1)};
             const PolygonMesh& built_on = options.rebuild ? moved.surface : impl_->loaded;
             const MatricesKey key = options.rebuild ? moved.key() : MatricesKey{0, moved.spec};
-            const auto built = impl_->build(built_on, key, building.monitor());
-            if (!built) return built.error();
-            const SmootherOptions serving{.steps = options.rebuild ? 1 : options.steps - k,
-                                          .positions = &impl_->loaded.positions()};
-            if (Status status = slot.prepare(key, options.time, **built, impl_->analyses, serving, preparing.monitor());
-                !status) {
-                return status;
+            slot.last_use = ++impl_->uses;
+            if (!slot.holds(key, options.time)) {
+                // The step leaves their surface: no need to have them beside a factor.
+                auto built = impl_->matrices.take(key);
+                if (built == nullptr) {
+                    auto made = build_operator(built_on, key.spec, building.monitor());
+                    if (!made) return made.error();
+                    built = std::make_shared<const OperatorMatrices>(*std::move(made));
+                }
+                const SmootherOptions serving{.steps = options.rebuild ? 1 : options.steps - k,
+                                              .positions = &impl_->loaded.positions(),
+                                              .known = impl_->analyses.kept()};
+                if (Status status = slot.prepare(key, options.time, *built, serving); !status) return status;
             }
+            if (slot.smoother->needs_factor()) impl_->make_room(&slot);
             auto points = slot.smoother->step(moved.surface.positions(), stepping.monitor());
             if (!points) return points.error();
             impl_->analyses.keep(slot.smoother->analysis());
@@ -297,8 +349,10 @@ Result<Session::Harmonic> Session::harmonic(Side side, std::span<const Index> ve
 
         const Eigen::Map<const Vector> given(values.data(), static_cast<Eigen::Index>(values.size()));
         Stretch solving{monitor, 0.3, 1};
-        auto solution =
-            slot.problem->solve(vertices, given, state.surface.positions(), impl_->analyses, solving.monitor());
+        slot.last_use = ++impl_->uses;
+        const HarmonicProblem::Resources resources{state.surface.positions(), impl_->analyses,
+                                                   [&] { impl_->make_room(&slot); }};
+        auto solution = slot.problem->solve(vertices, given, resources, solving.monitor());
         if (!solution) return solution.error();
         if (!monitor.proceed(1)) return Error{ErrorCode::cancelled, "cancelled"};
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include <Eigen/LU>
@@ -177,7 +178,32 @@ TEST(ImplicitSmoother, FactorsOnceEnoughStepsWereIterated) {
     EXPECT_EQ(smoother.last_solve().solver, SmoothingSolver::cholesky);
     check(smoother.update(m, time));  // another system, as far as the smoother knows; the analysis is no cost any more
     ASSERT_NE(smoother.analysis(), nullptr);
-    EXPECT_TRUE(smoother.analysis()->fits(m.stiffness));
+    EXPECT_TRUE(smoother.analysis()->fits(SparseMatrix(m.stiffness.triangularView<Eigen::Lower>())));
+}
+
+TEST(ImplicitSmoother, LeavesTheFactorToTheFirstStep) {
+    const PolygonMesh mesh = large_torus();
+    ImplicitSmoother smoother;
+    {
+        auto m = build(mesh, operators().front());
+        check(smoother.update_later(m, 1e4 * squared_edge(m)));
+        m.stiffness.coeffs().setZero();  // nobody reads it any more
+    }
+    EXPECT_TRUE(smoother.needs_factor());
+    EXPECT_EQ(smoother.bytes(), 0);
+    const auto m = build(mesh, operators().front());
+    ImplicitSmoother direct = get(ImplicitSmoother::create(m, 1e4 * squared_edge(m)));
+    EXPECT_FALSE(direct.needs_factor());
+    EXPECT_EQ(get(smoother.step(mesh.positions())), get(direct.step(mesh.positions())));
+    EXPECT_FALSE(smoother.needs_factor());
+    EXPECT_GE(smoother.bytes(), 8 * smoother.analysis()->factor_entries());
+
+    const std::array known{std::shared_ptr<const SpdAnalysis>(), smoother.analysis()};
+    ImplicitSmoother sharing;
+    check(sharing.update_later(m, 2e4 * squared_edge(m), {.known = known}));
+    EXPECT_EQ(sharing.analysis(), smoother.analysis());
+    check(sharing.update_later(m, 0.1 * squared_edge(m), {.known = known}));
+    EXPECT_FALSE(sharing.needs_factor()) << "conjugate gradients serve";
 }
 
 // A new system each step: the first ones are iterated, until an analysis would have paid for itself.

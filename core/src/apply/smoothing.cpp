@@ -7,6 +7,7 @@
 
 #include "apply/smoothing_cost.hpp"
 #include "polylap/solve/conjugate_gradients.hpp"
+#include "solve/lower_triangle.hpp"
 
 namespace polylap {
 namespace {
@@ -34,16 +35,33 @@ bool is_diagonal(const SparseMatrix& a) {
     return true;
 }
 
-/// Adds a diagonal in place. @return false where an entry has no place
-bool add_diagonal(SparseMatrix& a, const Vector& diagonal) {
+bool stores_diagonal(const SparseMatrix& a) {
     for (Index k = 0; k < a.cols(); ++k) {
         const Index* const begin = a.innerIndexPtr() + a.outerIndexPtr()[k];
         const Index* const end = a.innerIndexPtr() + a.outerIndexPtr()[k + 1];
-        const Index* const found = std::lower_bound(begin, end, k);
-        if (found == end || *found != k) return false;
-        a.valuePtr()[found - a.innerIndexPtr()] += diagonal[k];
+        if (!std::binary_search(begin, end, k)) return false;
     }
     return true;
+}
+
+/// t S + diag(d), or the lower triangle of it, of a compressed S that stores its diagonal.
+SparseMatrix add(const SparseMatrix& s, double t, const Vector& d, bool lower) {
+    SparseMatrix sum;
+    if (lower)
+        lower_triangle(s).swap(sum);
+    else
+        sum = s;
+    sum.coeffs() *= t;
+    for (Index k = 0; k < sum.cols(); ++k) {
+        const Index* const begin = sum.innerIndexPtr() + sum.outerIndexPtr()[k];
+        const Index* const end = sum.innerIndexPtr() + sum.outerIndexPtr()[k + 1];
+        sum.valuePtr()[std::lower_bound(begin, end, k) - sum.innerIndexPtr()] += d[k];
+    }
+    return sum;
+}
+
+void release(SparseMatrix& a) {
+    SparseMatrix().swap(a);
 }
 
 }  // namespace
@@ -71,18 +89,26 @@ Result<ImplicitSmoother> ImplicitSmoother::create(const OperatorMatrices& matric
 
 ImplicitSmoother::ImplicitSmoother() : iterations_per_root_condition_(SmoothingCost::iterations_per_root_condition) {}
 
-void ImplicitSmoother::use(std::shared_ptr<const SpdAnalysis> analysis) {
-    if (analysis == factor_.analysis()) return;
-    factored_ = false;
-    factor_.use(std::move(analysis));
-}
-
 const std::shared_ptr<const SpdAnalysis>& ImplicitSmoother::analysis() const noexcept {
     return factor_.analysis();
 }
 
 Status ImplicitSmoother::update(const OperatorMatrices& matrices, double time, const SmootherOptions& options,
                                 Monitor monitor) {
+    if (Status status = update_later(matrices, time, options); !status) return status;
+    return guard_memory([&]() -> Status {
+        const bool factor_now = needs_factor();
+        ready_ = false;
+        if (!monitor.proceed(0)) return Error{ErrorCode::cancelled, "cancelled"};
+        if (factor_now) {
+            if (Status status = factor(monitor); !status) return status;
+        }
+        ready_ = true;
+        return Done{};
+    });
+}
+
+Status ImplicitSmoother::update_later(const OperatorMatrices& matrices, double time, const SmootherOptions& options) {
     ready_ = factored_ = false;
     if (!(time > 0) || !std::isfinite(time)) {
         return Error{ErrorCode::bad_argument, "the time step must be a positive number"};
@@ -91,24 +117,19 @@ Status ImplicitSmoother::update(const OperatorMatrices& matrices, double time, c
     if (matrices.stiffness.cols() != n || matrices.mass.rows() != n || matrices.mass.cols() != n) {
         return Error{ErrorCode::bad_argument, "stiffness and mass must be square and of the same size"};
     }
-    if (!monitor.proceed(0)) return Error{ErrorCode::cancelled, "cancelled"};
     return guard_memory([&]() -> Status {
-        if (Status status = build(matrices, time); !status) return status;
-        structure_ = matrices.structure;
-        choice_ = options.choice;
-        steps_to_come_ = std::max(1, options.steps);
-        iterations_spent_ = 0;
-        positions_ = options.positions;
-        analysed_ = analysis() != nullptr && analysis()->fits(system_);
-        if (!iterations_pay()) {
-            if (Status status = factor(monitor); !status) return status;
-        }
-        ready_ = true;
-        return Done{};
+        Status status = build(matrices, time, options);
+        ready_ = status.ok();
+        return status;
     });
 }
 
-Status ImplicitSmoother::build(const OperatorMatrices& matrices, double time) {
+bool ImplicitSmoother::needs_factor() const {
+    return ready_ && !factored_ && !(whole_ && iterations_pay());
+}
+
+Status ImplicitSmoother::build(const OperatorMatrices& matrices, double time, const SmootherOptions& options) {
+    release(system_);
     const auto n = static_cast<Index>(matrices.mass.rows());
     Vector diagonal = matrices.mass.diagonal();
     Vector unused = Vector::Zero(n);
@@ -123,35 +144,62 @@ Status ImplicitSmoother::build(const OperatorMatrices& matrices, double time) {
     mass_ = matrices.mass;
     if (unused.any()) mass_ += SparseMatrix(unused.asDiagonal());
 
-    system_ = matrices.stiffness;
-    system_.makeCompressed();
-    system_.coeffs() *= time;
-    if (!is_diagonal(mass_) || !add_diagonal(system_, diagonal)) {
-        system_ = time * matrices.stiffness;
-        system_ += mass_;
+    // M + tS = factor · part + diag(added)
+    SparseMatrix sum;
+    const SparseMatrix* part = &matrices.stiffness;
+    double factor = time;
+    Vector added = diagonal;
+    if (!is_diagonal(mass_) || !part->isCompressed() || !stores_diagonal(*part)) {
+        sum = time * matrices.stiffness;
+        sum += mass_;
+        part = &sum;
+        factor = 1;
+        added.setZero();
     }
+    entries_ = static_cast<double>(part->nonZeros());
 
     condition_ = 0;
     keeps_constants_ = matrices.structure != Structure::general;  // whose columns are not its rows
     for (Index k = 0; k < n; ++k) {
         double size = 0;
-        double sum = 0;  // of column k of tS
-        for (SparseMatrix::InnerIterator it(system_, k); it; ++it) {
-            size += std::abs(it.value());
-            sum += it.value();
+        double excess = 0;  // of column k of tS
+        for (SparseMatrix::InnerIterator it(*part, k); it; ++it) {
+            const double value = factor * it.value() + (it.index() == k ? added[k] : 0);
+            size += std::abs(value);
+            excess += value;
         }
         for (SparseMatrix::InnerIterator it(mass_, k); it; ++it) {
-            sum -= it.value();
+            excess -= it.value();
         }
         condition_ += size / diagonal[k] / n;
-        keeps_constants_ = keeps_constants_ && std::abs(sum) <= constants_rounding * size;
+        keeps_constants_ = keeps_constants_ && std::abs(excess) <= constants_rounding * size;
+    }
+
+    structure_ = matrices.structure;
+    choice_ = options.choice;
+    steps_to_come_ = std::max(1, options.steps);
+    iterations_spent_ = 0;
+    positions_ = options.positions;
+    const bool definite = structure_ == Structure::positive_semidefinite;
+    whole_ = !definite;
+    add(*part, factor, added, definite).swap(system_);
+    const auto fits = [this](const auto& known) { return known != nullptr && known->fits(system_); };
+    analysed_ = fits(analysis());
+    if (const auto known = std::find_if(options.known.begin(), options.known.end(), fits);
+        !analysed_ && known != options.known.end()) {
+        factor_.use(*known);
+        analysed_ = true;
+    }
+    if (iterations_pay() && !whole_) {
+        whole_ = true;
+        add(*part, factor, added, false).swap(system_);
     }
     return Done{};
 }
 
 SmoothingCost ImplicitSmoother::cost() const {
-    return {static_cast<double>(system_.rows()), static_cast<double>(system_.nonZeros()),
-            analysed_ ? analysis().get() : nullptr, lost_without_analysis_};
+    return {static_cast<double>(mass_.rows()), entries_, analysed_ ? analysis().get() : nullptr,
+            lost_without_analysis_};
 }
 
 double ImplicitSmoother::iterations_worth_a_factor() const {
@@ -163,16 +211,22 @@ double ImplicitSmoother::iterations_worth_a_factor() const {
 bool ImplicitSmoother::iterations_pay() const {
     if (structure_ != Structure::positive_semidefinite) return false;
     if (choice_ != SmootherOptions::Choice::automatic) return choice_ == SmootherOptions::Choice::iterative;
-    if (system_.rows() <= always_factored) return false;
+    if (mass_.rows() <= always_factored) return false;
     return iterations_per_root_condition_ * std::sqrt(condition_) < iterations_worth_a_factor();
 }
 
 Status ImplicitSmoother::factor(Monitor monitor) {
-    Status status = factor_.factor(system_, structure_, positions_ == nullptr ? Points() : *positions_, monitor);
+    const bool definite = structure_ == Structure::positive_semidefinite;
+    if (definite && whole_) {  // iterations were to read it
+        lower_triangle(system_).swap(system_);
+        whole_ = false;
+    }
+    const Points nowhere;
+    Status status = factor_.factor(system_, structure_, positions_ == nullptr ? nowhere : *positions_, monitor);
     factored_ = status.ok();
+    if (factored_) release(system_);
     if (factored_ || status.error().code != ErrorCode::not_positive_definite) return status;
     Error error = status.error();
-    const bool definite = structure_ == Structure::positive_semidefinite;
     error.message = std::string("M + tS is ") + (definite ? "not positive definite" : "singular");
     if (error.element >= 0) error.message += " at vertex " + std::to_string(error.element);
     error.message += ", where the surface may have collapsed, or t is too large";
@@ -200,7 +254,7 @@ Result<Points> ImplicitSmoother::step(const Points& points, Monitor monitor) {
 Result<Points> ImplicitSmoother::solve(const Points& points, Monitor monitor) {
     const Points rhs = mass_ * points;
     double done = 0;
-    if (!factored_ && iterations_pay()) {
+    if (!factored_ && !needs_factor()) {
         constexpr double iterating = 0.9;  // of the progress; a factor takes the rest where that fails
         Stretch stretch{monitor, done, iterating};
         auto moved = iterate(points, rhs, stretch.monitor());

@@ -50,6 +50,10 @@ public:
 
     Matrix solve(const Eigen::Ref<const Matrix>& rhs) const { return lu_->solve(row_scale_.asDiagonal() * rhs); }
 
+    std::int64_t bytes() const {
+        return lu_ ? std::int64_t{lu_->nnzL() + lu_->nnzU()} * static_cast<std::int64_t>(sizeof(double)) : 0;
+    }
+
 private:
     static Error singular(Index row, const char* what) {
         std::string where = row < 0 ? "" : ": row " + std::to_string(row) + " " + what;
@@ -168,6 +172,10 @@ Result<Matrix> LinearFactor::solve(const Eigen::Ref<const Matrix>& rhs) const {
         }
         return impl_->lu.solve(rhs);
     });
+}
+
+std::int64_t LinearFactor::bytes() const noexcept {
+    return impl_->cholesky.bytes() + impl_->lu.bytes();
 }
 
 }  // namespace polylap

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "solve/fixed_vertices.hpp"
+#include "solve/lower_triangle.hpp"
 
 namespace polylap {
 namespace {
@@ -90,9 +91,9 @@ Parts find_parts(const SparseMatrix& s) {
     return parts;
 }
 
-/// S_g, with a 1 where a vertex is in no equation.
+/// The lower triangle of S_g, with a 1 where a vertex is in no equation.
 SparseMatrix ground(const SparseMatrix& s, const Parts& parts) {
-    SparseMatrix grounded = s;
+    SparseMatrix grounded = lower_triangle(s);
     const auto n = static_cast<Index>(s.cols());
     std::vector<Index> missing;  // where no diagonal entry is stored
     const auto add = [&](Index v, double value) {
@@ -135,7 +136,8 @@ Result<PinnedProblem> PinnedProblem::create(const SparseMatrix& stiffness, const
     return guard_memory([&]() -> Result<PinnedProblem> {
         PinnedProblem problem;
         Parts parts = find_parts(stiffness);
-        problem.grounded_ = std::make_unique<const SparseMatrix>(ground(stiffness, parts));
+        problem.grounded_ = std::make_unique<SparseMatrix>();
+        ground(stiffness, parts).swap(*problem.grounded_);
         problem.part_ = std::move(parts.part);
         problem.part_lowest_ = std::move(parts.lowest);
         const auto fitting = std::find_if(known.begin(), known.end(), [&](const auto& analysis) {
@@ -148,6 +150,10 @@ Result<PinnedProblem> PinnedProblem::create(const SparseMatrix& stiffness, const
         }
         return problem;
     });
+}
+
+std::int64_t PinnedProblem::bytes() const noexcept {
+    return factor_.bytes() + static_cast<std::int64_t>(potentials_.size() * part_.size() * sizeof(double));
 }
 
 bool PinnedProblem::may_pay(std::size_t pins, Eigen::Index vertices) noexcept {

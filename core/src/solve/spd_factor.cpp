@@ -144,5 +144,8 @@ Result<Matrix> SpdFactor::solve(const Eigen::Ref<const Matrix>& rhs) const {
 Index SpdFactor::size() const noexcept {
     return impl_->analysis == nullptr ? 0 : impl_->analysis->size();
 }
+std::int64_t SpdFactor::bytes() const noexcept {
+    return impl_->numeric.bytes();
+}
 
 }  // namespace polylap

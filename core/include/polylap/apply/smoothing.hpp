@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+#include <span>
 #include <string_view>
 
 #include "polylap/operators/operator.hpp"
@@ -27,6 +29,8 @@ struct SmootherOptions {
     int steps = 1;  ///< How many the system will serve, as far as is known.
     /// V×3, for a better ordering of the factor; to last until the next update. Null: the graph alone decides.
     const Points* positions = nullptr;
+    /// Analyses of other factors, tried before one is made: null or as analysis() gives them.
+    std::span<const std::shared_ptr<const SpdAnalysis>> known = {};
 };
 
 /// One implicit Euler step of the heat flow, (M + t S) x' = M x (Desbrun, Meyer, Schröder & Barr 1999). The smaller t,
@@ -49,11 +53,14 @@ public:
     /// The same for other values of S, M and t: keeps the ordering and symbolic analysis while the pattern stands.
     Status update(const OperatorMatrices& matrices, double time, const SmootherOptions& options = {},
                   Monitor monitor = {});
+    /// The same, but a factor is left to the first step that needs one: the matrices may go before it takes memory.
+    Status update_later(const OperatorMatrices& matrices, double time, const SmootherOptions& options = {});
+    /// Whether the next step begins with a factor, as far as is known.
+    bool needs_factor() const;
+    /// Of memory for the factor's numbers.
+    std::int64_t bytes() const noexcept { return factor_.bytes(); }
 
-    /// An analysis for the pattern of M + t S, which is that of S where M is diagonal and all vertices are in faces.
-    /// @param analysis not null
-    void use(std::shared_ptr<const SpdAnalysis> analysis);
-    /// Null before there was a Cholesky factor.
+    /// Fits M + t S, where S is positive semi-definite its lower triangle. Null before there was a Cholesky factor.
     const std::shared_ptr<const SpdAnalysis>& analysis() const noexcept;
 
     /// @param points V×3   @return V×3. Vertices without an equation (in no face) stay.
@@ -65,7 +72,7 @@ public:
     const SmoothingSolve& last_solve() const noexcept { return last_; }
 
 private:
-    Status build(const OperatorMatrices& matrices, double time);
+    Status build(const OperatorMatrices& matrices, double time, const SmootherOptions& options);
     SmoothingCost cost() const;
     /// Up to how many a step cost less than the factor, of what it takes to go on from here.
     double iterations_worth_a_factor() const;
@@ -74,7 +81,12 @@ private:
     Result<Points> solve(const Points& points, Monitor monitor);
     Result<Points> iterate(const Points& points, const Points& rhs, Monitor monitor);
 
-    SparseMatrix system_, mass_;  ///< M + tS and M, with 1 on the diagonal of vertices in no face.
+    SparseMatrix mass_;  ///< With 1 on the diagonal of vertices in no face.
+    /// M + tS for that mass; only its lower triangle where a Cholesky factor is all that reads it, nothing once it is
+    /// factored.
+    SparseMatrix system_;
+    bool whole_ = false;  ///< Whether system_ is all of it.
+    double entries_ = 0;  ///< Of all of M + tS.
     Structure structure_ = Structure::positive_semidefinite;
     bool keeps_constants_ = false;  ///< S 1 = 0
     double condition_ = 1;          ///< Mean over the rows of (M_ii + t Σ|S_ij|) / M_ii.

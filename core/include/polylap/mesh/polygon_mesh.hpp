@@ -31,7 +31,7 @@ struct Connectivity {
 /// A polygon mesh that passed validation: faces of any size ≥ 3, any number of components, with or without boundary.
 ///
 /// Non-manifold edges, neighbours of opposite orientation and unreferenced vertices are allowed (see find_issues in
-/// topology.hpp): a sum over faces does not mind them. Copies share their connectivity.
+/// topology.hpp): a sum over faces does not mind them. Copies share their memory.
 class PolygonMesh {
 public:
     /// @param positions V×3, finite
@@ -48,18 +48,18 @@ public:
     Index vertex_count() const noexcept { return connectivity_->vertex_count; }
     Index face_count() const noexcept { return connectivity_->face_count(); }
     std::span<const Index> face(Index f) const { return connectivity_->face(f); }
-    const Points& positions() const noexcept { return positions_; }
-    Vector3 position(Index v) const { return positions_.row(v).transpose(); }
+    const Points& positions() const noexcept { return *positions_; }
+    Vector3 position(Index v) const { return positions_->row(v).transpose(); }
 
     /// Never null. Two meshes with the same pointer have the same faces.
     const std::shared_ptr<const Connectivity>& connectivity() const noexcept { return connectivity_; }
 
 private:
     PolygonMesh(std::shared_ptr<const Connectivity> connectivity, Points positions)
-        : connectivity_(std::move(connectivity)), positions_(std::move(positions)) {}
+        : connectivity_(std::move(connectivity)), positions_(std::make_shared<const Points>(std::move(positions))) {}
 
     std::shared_ptr<const Connectivity> connectivity_;
-    Points positions_;
+    std::shared_ptr<const Points> positions_;
 };
 
 }  // namespace polylap

@@ -26,6 +26,9 @@ public:
     ///        finite), out_of_memory
     Result<Matrix> solve(const Eigen::Ref<const Matrix>& fixed_values) const;
 
+    /// Of memory for the factor's numbers.
+    std::int64_t bytes() const noexcept { return factor_.bytes(); }
+
 private:
     DirichletProblem() = default;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "polylap/solve/spd_factor.hpp"
@@ -38,6 +39,9 @@ public:
     /// @param rhs n×k   @return n×k
     /// @error bad_argument (nothing is factored, another number of rows), out_of_memory
     Result<Matrix> solve(const Eigen::Ref<const Matrix>& rhs) const;
+
+    /// Of memory for the factors' numbers.
+    std::int64_t bytes() const noexcept;
 
 private:
     struct Impl;

@@ -31,8 +31,11 @@ public:
                                         std::span<const std::shared_ptr<const SpdAnalysis>> known = {},
                                         Monitor monitor = {});
 
-    /// Fits S wherever S stores its whole diagonal.
+    /// Fits the lower triangle of S wherever S stores its whole diagonal.
     const std::shared_ptr<const SpdAnalysis>& analysis() const noexcept { return factor_.analysis(); }
+
+    /// Of the factor's numbers and the potentials.
+    std::int64_t bytes() const noexcept;
 
     /// Beyond this, only potentials that the last solve needed are kept.
     static constexpr std::int64_t most_bytes = std::int64_t{128} << 20;
@@ -65,9 +68,10 @@ private:
     Status reduce();
     std::vector<Potential>::const_iterator find(Index vertex) const;
 
-    std::unique_ptr<const SparseMatrix> grounded_;  ///< S_g, until it is factored. Eigen copies what it should move.
-    std::vector<Index> part_;                       ///< Per vertex; -1: in no equation.
-    std::vector<Index> part_lowest_;                ///< Per part, its lowest vertex.
+    std::unique_ptr<SparseMatrix> grounded_;  ///< Lower triangle of S_g, until it is factored. Eigen copies what it
+                                              ///< should move.
+    std::vector<Index> part_;                 ///< Per vertex; -1: in no equation.
+    std::vector<Index> part_lowest_;          ///< Per part, its lowest vertex.
     SpdFactor factor_;
 
     std::vector<Potential> potentials_;         ///< Those of pins_ first and in that order, then what was used before.

@@ -67,6 +67,8 @@ public:
     Result<Matrix> solve(const Eigen::Ref<const Matrix>& rhs) const;
 
     Index size() const noexcept;
+    /// Of memory for the numbers of L.
+    std::int64_t bytes() const noexcept;
 
 private:
     struct Impl;

@@ -23,6 +23,8 @@ public:
     /// Solves with the factor in hand. @param rhs n×k   @return n×k
     Matrix solve(const Symbolic& symbolic, const Eigen::Ref<const Matrix>& rhs) const;
 
+    std::int64_t bytes() const noexcept { return static_cast<std::int64_t>(capacity_ * sizeof(double)); }
+
 private:
     void make_room(const Symbolic& symbolic);
 
