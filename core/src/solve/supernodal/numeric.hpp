@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <numeric>
 #include <vector>
 
 #include "polylap/base/monitor.hpp"
@@ -23,7 +25,10 @@ public:
     /// Solves with the factor in hand. @param rhs n×k   @return n×k
     Matrix solve(const Symbolic& symbolic, const Eigen::Ref<const Matrix>& rhs) const;
 
-    std::int64_t bytes() const noexcept { return static_cast<std::int64_t>(capacity_ * sizeof(double)); }
+    std::int64_t bytes() const noexcept {
+        return static_cast<std::int64_t>(std::accumulate(sizes_.begin(), sizes_.end(), std::size_t{0}) *
+                                         sizeof(double));
+    }
 
 private:
     void make_room(const Symbolic& symbolic);
