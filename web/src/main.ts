@@ -16,7 +16,11 @@ const open = async () => {
 };
 const ready = open().then(() => app.history.begin());
 window.addEventListener('hashchange', () => void app.follow(location.hash));
-const { canvas, views, help } = page(app, document.getElementById('app') as HTMLElement);
+let viewer: Viewer | null = null;
+const { canvas, views, help } = page(app, document.getElementById('app') as HTMLElement, async (view, transparent) => {
+  if (!viewer) throw new Error('This browser shows no WebGL, so there are no pictures.');
+  return viewer.photograph(view, transparent);
+});
 bindKeys(app, help);
 
 const overlays = allViews.map((side) => {
@@ -32,7 +36,6 @@ const tell = (text: string | null) => {
   if (text) app.say(text);
 };
 
-let viewer: Viewer | null = null;
 try {
   viewer = new Viewer(canvas, views, () => {
     if (performance.getEntriesByName('polylap:first-frame').length === 0) performance.mark('polylap:first-frame');

@@ -18,7 +18,7 @@ const menuValue = (source: Source) => (source.kind === 'preset' && !source.chang
 
 export function header(
   app: App,
-  actions: Record<'open' | 'paste' | 'make' | 'share' | 'help', () => void>,
+  actions: Record<'open' | 'paste' | 'make' | 'share' | 'save' | 'help', () => void>,
 ): HTMLElement {
   const group = (label: string, entries: readonly (readonly [string, string])[]) =>
     h('optgroup', { label }, ...entries.map(([value, text]) => h('option', { value }, text)));
@@ -82,6 +82,7 @@ export function header(
     undo,
     redo,
     button('Share…', actions.share, { 'data-action': 'share' }),
+    button('Save…', actions.save, { 'data-action': 'save' }),
     theme,
     button('?', actions.help, { 'aria-label': 'Help', title: 'Help (?)', class: 'key', 'data-action': 'help' }),
   );

@@ -9,6 +9,7 @@ import { button } from './controls.js';
 import { deltaCard } from './delta-card.js';
 import { helpDialog, pasteDialog } from './dialogs.js';
 import { dualPanel } from './dual-panel.js';
+import { exportDialog, type Photographer } from './export-dialog.js';
 import { harmonicPanel } from './harmonic-panel.js';
 import { header } from './header.js';
 import { intake } from './intake.js';
@@ -27,11 +28,12 @@ export interface Page {
 }
 
 /** The whole document, in reading order. */
-export function page(app: App, root: HTMLElement): Page {
+export function page(app: App, root: HTMLElement, photograph: Photographer): Page {
   const help = helpDialog();
   const paste = pasteDialog(app);
   const make = makeDialog(app);
   const share = shareDialog(app);
+  const saving = exportDialog(app, photograph);
   const files = intake(app, root);
   const cards = { a: card(app, 'a'), b: card(app, 'b'), delta: deltaCard(app) };
   const canvas = h('canvas', { class: 'scene', 'aria-hidden': 'true' });
@@ -60,6 +62,7 @@ export function page(app: App, root: HTMLElement): Page {
     paste: () => paste.showModal(),
     make: () => make.showModal(),
     share: share.open,
+    save: () => saving.showModal(),
     help: () => help.showModal(),
   });
   const leave = () => tasks.element.querySelector<HTMLElement>('[aria-selected=true]')?.focus();
@@ -86,6 +89,7 @@ export function page(app: App, root: HTMLElement): Page {
     paste,
     make,
     share.element,
+    saving,
   );
   app.state.watch(
     (state) => [state.task],

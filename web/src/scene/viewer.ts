@@ -9,6 +9,7 @@ import { triangleTexture } from './data-texture.js';
 import { hidden, Labels } from './labels.js';
 import { type Layer, type LayerName, vertexNormal } from './layers.js';
 import { type Mark, Markers } from './markers.js';
+import { photograph } from './photograph.js';
 import { Surface } from './surface.js';
 
 interface Shown {
@@ -290,6 +291,13 @@ export class Viewer {
       this.frame = 0;
       this.draw();
     });
+  }
+
+  /** A view as a PNG, without what lies over it. */
+  photograph(view: View, transparent: boolean): Promise<Blob> {
+    const place = this.places[view];
+    const background = transparent ? null : getComputedStyle(place.closest('.card') ?? document.body).backgroundColor;
+    return photograph(this.renderer, () => this.draw(), place, background);
   }
 
   private resize(): void {
