@@ -8,8 +8,11 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <span>
+#include <utility>
 
+#include "solve/ordering/coarsening.hpp"
 #include "solve/ordering/minimum_degree.hpp"
 #include "solve/ordering/separator.hpp"
 
@@ -26,6 +29,47 @@ constexpr std::size_t compact_size = 8192;
 /// from positions that say little of the graph: distances get their chance then.
 constexpr double suspicious_width = 1.3;
 
+/// Splits regions of many vertices by their clusters, which costs a fraction.
+class CoarseSplitter {
+public:
+    CoarseSplitter(const Graph& graph, const Points& positions, std::span<const Index> vertices)
+        : coarsening_(graph, positions, vertices),
+          splitter_(coarsening_.graph, coarsening_.positions),
+          seen_(static_cast<std::size_t>(coarsening_.graph.size()), -1) {}
+
+    /// @param fine knows the region as marked
+    Splitter::Sizes split(std::span<const Index> region, Splitter& fine) {
+        clusters_.clear();
+        for (const Index v : region) {
+            const Index c = cluster(v);
+            if (std::exchange(seen_[static_cast<std::size_t>(c)], region_) != region_) clusters_.push_back(c);
+        }
+        ++region_;
+        splitter_.mark(clusters_);
+        Splitter::Sizes sizes;
+        if (coarsening_.positions.rows() > 0) sizes = splitter_.split_by_position(clusters_);
+        if (splitter_.reach(clusters_.front()).size() == clusters_.size()) {
+            sizes = splitter_.split_by_distance(clusters_, sizes);
+        }
+        if (!sizes.useful()) return sizes;
+        const Side between = sizes.first < sizes.second ? Side::first : Side::second;
+        for (const Index v : region) {
+            const Side side = splitter_.side(cluster(v));
+            fine.give(v, side == Side::separator ? between : side);
+        }
+        return fine.separate(region);
+    }
+
+private:
+    Index cluster(Index v) const { return coarsening_.cluster[static_cast<std::size_t>(v)]; }
+
+    Coarsening coarsening_;
+    Splitter splitter_;
+    Index region_ = 0;
+    std::vector<Index> seen_;  ///< The region that each cluster was in last.
+    std::vector<Index> clusters_;
+};
+
 class Dissection {
 public:
     Dissection(const Graph& graph, const Points& positions, const Monitor& monitor)
@@ -34,6 +78,12 @@ public:
           monitor_(monitor),
           splitter_(graph, positions),
           minimum_degree_(graph) {}
+
+    /// The same, for so large a graph that clusters pay.
+    bool order_coarsely(std::span<Index> vertices) {
+        if (vertices.size() > 2 * compact_size) coarse_.emplace(graph_, positions_, vertices);
+        return order(vertices);
+    }
 
     /// @return false when cancelled
     bool order(std::span<Index> vertices) {
@@ -46,6 +96,10 @@ public:
         }
         splitter_.mark(vertices);
         Splitter::Sizes sizes;
+        if (coarse_) {
+            sizes = coarse_->split(vertices, splitter_);
+            if (sizes.useful()) return dissect(vertices, sizes);
+        }
         if (positions_.rows() > 0) {
             sizes = splitter_.split_by_position(vertices);
             const double width = suspicious_width * std::sqrt(static_cast<double>(vertices.size()));
@@ -129,6 +183,7 @@ private:
     const Points& positions_;
     const Monitor& monitor_;
     Splitter splitter_;
+    std::optional<CoarseSplitter> coarse_;
     MinimumDegree minimum_degree_;
     std::vector<Index> scratch_, local_;
     std::size_t done_ = 0, told_ = 0;
@@ -153,7 +208,7 @@ std::vector<Index> fill_reducing_order(const Graph& graph, const Points& positio
     const bool usable = (positions.array().abs() <= farthest).all();
     const Points none(0, 3);
     Dissection dissection(graph, usable ? positions : none, monitor);
-    if (!dissection.order(std::span(order).first(static_cast<std::size_t>(end - order.begin())))) return {};
+    if (!dissection.order_coarsely(std::span(order).first(static_cast<std::size_t>(end - order.begin())))) return {};
     return order;
 }
 

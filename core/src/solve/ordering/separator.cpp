@@ -178,6 +178,7 @@ Splitter::Plane Splitter::find_plane() {
     return best;
 }
 
+/// From the shorter of the two shores.
 Splitter::Sizes Splitter::separate(std::span<const Index> region) {
     std::array<Index, 2> count{};
     std::array<Index, 2> shore{};

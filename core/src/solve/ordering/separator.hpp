@@ -40,6 +40,9 @@ public:
     /// The same by distances in the graph, for a connected region.
     /// @param known a split found before, which is kept if it is as good
     Sizes split_by_distance(std::span<const Index> region, const Sizes& known);
+    /// The separator between the sides that the region's vertices were given, first or second.
+    Sizes separate(std::span<const Index> region);
+    void give(Index v, Side side) { side_[static_cast<std::size_t>(v)] = side; }
     Side side(Index v) const { return side_[static_cast<std::size_t>(v)]; }
 
     /// The vertices of the marked region that can be reached from v, by rising distance. Valid until the next call.
@@ -57,8 +60,6 @@ private:
     Plane find_plane();
     double median(const Vector3& normal, std::size_t step);
     std::size_t count_parted(const Vector3& normal);
-    /// The separator between the first side and the second, from the shorter of the two shores.
-    Sizes separate(std::span<const Index> region);
 
     // Refinement
     void refine(Sizes& sizes);
