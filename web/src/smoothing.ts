@@ -8,7 +8,7 @@ import type { Mesh, Smoothed } from './polylap.js';
 import type { Results } from './results.js';
 import { type State, sides } from './state.js';
 import { isFaceRefused, littleLeft, nothingLeft, type Stop, stopped } from './stops.js';
-import { type Surfaces, Trail } from './trail.js';
+import { type Marks, type Surfaces, Trail } from './trail.js';
 import { isCancelled } from './work.js';
 
 /** Milliseconds between steps when playing: slow enough to watch. */
@@ -27,6 +27,7 @@ export class Smoothing {
   /** The surfaces that were reached, by these moves. */
   readonly trail = new Trail(trailSize);
   private trodden: readonly Move[] = [];
+  private loaded: Marks | undefined;
   private readonly scrubbing = latest((step: number) => this.goTo(this.app.state.get().moves, step));
 
   constructor(private readonly app: App) {}
@@ -40,6 +41,15 @@ export class Smoothing {
     this.loadedArea = 0;
     this.trail.clear();
     this.trodden = [];
+    this.loaded = undefined;
+  }
+
+  /** What was measured of both surfaces after a step, as far as it is known. */
+  marks(step: number): Marks | undefined {
+    if (step > 0) return this.trail.marks(step);
+    const { a, b } = this.app.results.get();
+    if (a.step === 0 && b.step === 0 && a.shape && b.shape) this.loaded = { a: a.shape, b: b.shape };
+    return this.loaded;
   }
 
   /** One step on both sides, shown at once. */

@@ -5,6 +5,7 @@ import { stepsOf } from '../moves.js';
 import type { SmoothingSolve } from '../polylap.js';
 import { sides } from '../state.js';
 import { button, numberField, slider } from './controls.js';
+import { smoothPlots } from './smooth-plots.js';
 import { sideTable } from './table.js';
 
 const [shortest, longest] = [1e-3, 1e2];
@@ -119,6 +120,7 @@ export function smoothPanel(app: App): HTMLElement {
       solvers,
     ),
     h('section', {}, h('h2', {}, 'Surfaces'), readouts.element, whyNoVolume),
+    smoothPlots(app),
   );
 
   app.state.watch(

@@ -10,6 +10,7 @@ import { stencil } from './stencil.js';
 import { sideTable } from './table.js';
 import { vertexField } from './vertex-field.js';
 import { vertexWeights } from './vertex-weights.js';
+import { weightsPlots } from './weights-plots.js';
 
 const rowsShown = 24;
 /** As for the counts: what is smaller beside the diagonal has no sign. */
@@ -28,6 +29,7 @@ export function weightsPanel(app: App): HTMLElement {
     { class: 'panel-body' },
     h('section', {}, h('h2', {}, 'Weights ', h('i', {}, 'w'), h('sub', {}, 'ij')), extremes.element, lines),
     h('section', {}, vertexField(app), vertexWeights(app), row),
+    weightsPlots(app),
   );
 
   for (const side of sides) {

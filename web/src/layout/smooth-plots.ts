@@ -1,0 +1,57 @@
+import type { App } from '../app.js';
+import { h } from '../dom.js';
+import { stepsOf } from '../moves.js';
+import { lines } from '../plots/draw.js';
+import { figure } from '../plots/figure.js';
+import type { Shape, Side } from '../polylap.js';
+import { sides } from '../state.js';
+
+const measures: readonly { name: string; title: string; of: (shape: Shape) => number | null }[] = [
+  { name: 'non-planarity', title: 'Mean non-planarity', of: ({ meanNonPlanarity }) => meanNonPlanarity },
+  { name: 'area', title: 'Area', of: ({ area }) => area },
+  { name: 'volume', title: 'Volume', of: ({ volume }) => volume },
+];
+
+/** How the surfaces change over the steps: A solid, B dashed. */
+export function smoothPlots(app: App): HTMLElement {
+  const plots = measures.map(({ title, name }) => figure(title, name));
+  const element = h(
+    'section',
+    { class: 'plots', hidden: true },
+    h('h2', {}, 'Over the steps'),
+    h('p', { class: 'note' }, 'A solid, B dashed.'),
+    ...plots.map((plot) => plot.element),
+  );
+  const show = () => {
+    const { moves, step } = app.state.get();
+    const steps = stepsOf(moves);
+    element.hidden = steps === 0;
+    if (steps === 0) return;
+    const taken = Array.from({ length: steps + 1 }, (_, k) => ({ k, marks: app.smoothing.marks(k) }));
+    measures.forEach(({ title, of }, m) => {
+      const at = (k: number, side: Side) => {
+        const marks = taken[k]?.marks;
+        return marks ? of(marks[side]) : null;
+      };
+      const rows = taken.map(({ k }): (number | null)[] => [k, at(k, 'a'), at(k, 'b')]);
+      const series = sides.map((side, s) => ({
+        name: side,
+        dashed: side === 'b',
+        points: rows.flatMap((row): [number, number][] => {
+          const [k, value] = [row[0], row[s + 1]];
+          return typeof k === 'number' && typeof value === 'number' ? [[k, value]] : [];
+        }),
+      }));
+      const some = series.some(({ points }) => points.length > 0);
+      plots[m]?.show(
+        some ? lines(series, step) : null,
+        `${title} of A and B over ${steps} steps`,
+        ['step', 'A', 'B'],
+        rows,
+      );
+    });
+  };
+  app.state.watch((state) => [state.moves, state.step, state.task], show);
+  app.results.watch(({ a, b }) => [a.shape, b.shape], show);
+  return element;
+}
