@@ -88,6 +88,8 @@ describe('links', () => {
     harmonic: { pins: [{ vertex: 4, value: -1.5 }], value: 2 },
     camera: { position: [1, 2, 3], target: [0, 0.5, 0] },
     selected: 7,
+    colours: { map: 'cividis', isolines: true, symmetric: true, locked: { min: -2, max: 0.5 } },
+    delta: { open: true, gain: 10, swipe: 0.25 },
     theme: 'dark',
   });
   const plain = (state: State) => JSON.parse(JSON.stringify(state));
@@ -152,6 +154,11 @@ describe('links', () => {
     ['a pin that is none', edited((s) => Object.assign(s.harmonic.pins[0], { vertex: 1.5 })), /vertex of pin 0/],
     ['a step that was not taken', edited((s) => Object.assign(s, { step: 4 })), /the step shown cannot be 4/],
     ['endless steps', edited((s) => Object.assign(s.moves[0], { steps: 1e9 })), /steps cannot be 1000000000/],
+    [
+      'an empty range',
+      edited((s) => Object.assign(s.colours, { locked: { min: 1, max: 1 } })),
+      /range cannot be 1 to 1/,
+    ],
     ['an unknown task', edited((s) => Object.assign(s, { task: 'fly' })), /the task cannot be "fly"/],
     ['an unknown shape', edited((s) => Object.assign(s.source.shape, { id: 'cow' })), /there is no "cow"/],
     [

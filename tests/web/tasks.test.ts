@@ -161,6 +161,34 @@ describe('harmonic interpolation', () => {
     expect(await page.locator('.pin-label:visible').count()).toBe(0);
   });
 
+  it('keeps, centres and draws the range as asked', async () => {
+    const { page } = at;
+    await chooseMesh(page, 'grid-8');
+    await page.getByRole('tab', { name: 'Harmonic' }).click();
+    await page.getByLabel('Values of the boundary').selectOption({ index: 1 });
+    await page.getByRole('button', { name: 'Pin all of the boundary' }).click();
+    await settled(page);
+    const range = async () => [await readout(page, 'range-min'), await readout(page, 'range-max')];
+    const [min = 0, max = 0] = await range();
+    expect(max).toBeGreaterThan(min);
+    await page.getByLabel('Zero in the middle').check();
+    const reach = Math.max(Math.abs(min), Math.abs(max));
+    expect(await range()).toEqual([-reach, reach]);
+    await page.getByLabel('Zero in the middle').uncheck();
+    await page.getByLabel('Keep the range').check();
+    await page.locator('.pins input').first().fill('9');
+    await settled(page);
+    expect(await range()).toEqual([min, max]);
+    await page.getByLabel('Keep the range').uncheck();
+    expect((await range())[1]).toBe(9);
+    await page.getByLabel('Colours of values').selectOption('cividis');
+    await page.getByLabel('Isolines').check();
+    await picture(page, 'isolines');
+    await page.getByLabel('Isolines').uncheck();
+    await page.getByLabel('Colours of values').selectOption('viridis');
+    await page.getByRole('button', { name: 'Clear' }).click();
+  });
+
   it('pins by keyboard alone', async () => {
     const { page } = at;
     await page.locator('[data-view=a]').focus();

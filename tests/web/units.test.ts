@@ -2,7 +2,7 @@
 import { describe, expect, it, vi } from 'vitest';
 import { load } from '../../wasm/src/node.js';
 import { boundaryPins, examplePins } from '../../web/src/boundary-pins.js';
-import { sharedRange } from '../../web/src/colouring.js';
+import { chosenRange, sharedRange } from '../../web/src/colouring.js';
 import { count, exact, real, weight } from '../../web/src/format.js';
 import { latest } from '../../web/src/latest.js';
 import { drawnPairs } from '../../web/src/layout/weights-panel.js';
@@ -64,6 +64,16 @@ describe('the range of colours', () => {
   });
   it('has a middle where all is zero', () => {
     expect(sharedRange({ a: side(0, 0, 0, 0), b: freshSide() })).toEqual({ min: -1, max: 1, single: 0 });
+  });
+  it('can have zero in its middle, or be kept', () => {
+    const range = { min: -0.25, max: 1.5, single: null };
+    expect(chosenRange(range, { locked: null, symmetric: false })).toEqual(range);
+    expect(chosenRange(range, { locked: null, symmetric: true })).toEqual({ min: -1.5, max: 1.5, single: null });
+    expect(chosenRange(range, { locked: { min: 0, max: 1 }, symmetric: true })).toEqual({
+      min: 0,
+      max: 1,
+      single: null,
+    });
   });
   it('is as narrow as the pins are', () => {
     expect(sharedRange({ a: side(1, 1 + 1e-6, 1, 1 + 1e-6), b: freshSide() })?.single).toBe(null);

@@ -8,6 +8,8 @@ import { Mark } from './scene/markers.js';
 import type { Viewer } from './scene/viewer.js';
 import { operatorOf, presets, type Source, sides, type View, views } from './state.js';
 
+/** Isolines divide the range of colours into so many. */
+const isolineSpaces = 20;
 /** A press that moves less than this, in pixels, is a click. */
 const clickReach = 5;
 
@@ -76,7 +78,10 @@ export function bindViewer(app: App, viewer: Viewer): void {
       viewer.setValues(side, shown?.values[side] ?? null, shown?.range ?? null, shown?.map ?? 'viridis');
   };
   app.results.watch(({ a, b, mesh }) => [a.harmonic, b.harmonic, a.check, b.check, mesh], showValues);
-  app.state.watch((state) => [state.task, state.mode], showValues);
+  app.state.watch((state) => [state.task, state.mode, state.colours], showValues);
+  const showIsolines = () => viewer.setIsolines(app.state.get().colours.isolines ? isolineSpaces : 0);
+  app.state.watch((state) => [state.colours.isolines], showIsolines);
+  app.results.watch((results) => [results.mesh], showIsolines);
 
   const showDual = () => {
     const { task, dual } = app.state.get();

@@ -18,11 +18,12 @@ export interface Colouring {
 }
 
 /** null when there is nothing to colour. */
-export function colouring(state: Pick<State, 'task' | 'mode'>, results: Results): Colouring | null {
+export function colouring(state: Pick<State, 'task' | 'mode' | 'colours'>, results: Results): Colouring | null {
   if (state.task === 'harmonic') {
-    const range = sharedRange(results);
+    const shared = sharedRange(results);
+    const range = shared && chosenRange(shared, state.colours);
     const values = (side: Side) => known(results[side].harmonic)?.values ?? null;
-    return range && { map: 'viridis', range, values: { a: values('a'), b: values('b') } };
+    return range && { map: state.colours.map, range, values: { a: values('a'), b: values('b') } };
   }
   if (state.task !== 'check') return null;
   const mode = (side: Side) => known(results[side].check)?.kernelModes[state.mode[side] ?? -1] ?? null;
@@ -31,6 +32,17 @@ export function colouring(state: Pick<State, 'task' | 'mode'>, results: Results)
   let reach = 0;
   for (const value of [...(values.a ?? []), ...(values.b ?? [])]) reach = Math.max(reach, Math.abs(value));
   return reach > 0 ? { map: 'red-blue', range: { min: -reach, max: reach, single: null }, values } : null;
+}
+
+/** The range that is kept, if one is, or the values' own. */
+export function chosenRange(
+  shared: Range,
+  { locked, symmetric }: Pick<State['colours'], 'locked' | 'symmetric'>,
+): Range {
+  if (locked) return { ...locked, single: null };
+  if (!symmetric || shared.single !== null) return shared;
+  const reach = Math.max(Math.abs(shared.min), Math.abs(shared.max));
+  return { min: -reach, max: reach, single: null };
 }
 
 /** Values that differ by less, beside the largest of them, differ by rounding. */

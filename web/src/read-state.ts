@@ -1,4 +1,5 @@
 /** A state that came from outside: nothing of it is believed that is not checked. */
+import { colourMaps } from './colour-maps.js';
 import type { Move } from './moves.js';
 import { conversions, type MakerInfo, operators, type Side, shapes } from './polylap.js';
 import {
@@ -63,6 +64,7 @@ export function readState(value: unknown): State {
       edges: truth(dual.edges, 'edges'),
       points: truth(dual.points, 'points'),
     },
+    colours: readColours(all.colours),
     mode: perSide('mode', (mode, name) => (mode === null ? null : whole(mode, 0, maxIndex, name))),
     negativeShown: negativeShown as State['negativeShown'],
     selected: all.selected === null ? null : whole(all.selected, 0, maxIndex, 'the selected vertex'),
@@ -156,6 +158,20 @@ function readWeights(value: unknown, name: string): VertexWeights {
   return Object.fromEntries(
     entries.map(([vertex, weight]) => [whole(Number(vertex), 0, maxIndex, `a vertex of ${name}`), real(weight, name)]),
   );
+}
+
+function readColours(value: unknown): State['colours'] {
+  const { map, isolines, symmetric, locked } = fields(value, 'the colours');
+  const ids = colourMaps.map(([id]) => id);
+  const range = locked === null ? null : fields(locked, 'the range');
+  const [min, max] = range ? [real(range.min, 'the range'), real(range.max, 'the range')] : [0, 1];
+  if (min >= max) throw new Error(`the range cannot be ${min} to ${max}`);
+  return {
+    map: among(map, ids, 'the colours'),
+    isolines: truth(isolines, 'isolines'),
+    symmetric: truth(symmetric, 'symmetric'),
+    locked: range && { min, max },
+  };
 }
 
 function readDelta(value: unknown): State['delta'] {

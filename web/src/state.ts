@@ -1,3 +1,4 @@
+import type { ColourMap } from './colour-maps.js';
 import type { Move } from './moves.js';
 import type { ConversionSpec, MakerInfo, OperatorInfo, PropertyId, ShapeSpec, Side } from './polylap.js';
 import { conversions, operators, shapes } from './polylap.js';
@@ -69,6 +70,13 @@ export interface State {
   harmonic: { pins: readonly Pin[]; value: number };
   /** μ, and which layers are drawn. */
   dual: { mu: number; primal: boolean; edges: boolean; points: boolean };
+  /** How the values of Harmonic become colours; `locked` is a range that stays whatever the values. */
+  colours: {
+    map: ColourMap;
+    isolines: boolean;
+    symmetric: boolean;
+    locked: { readonly min: number; readonly max: number } | null;
+  };
   /** Which kernel mode colours a side. */
   mode: Readonly<Record<Side, number | null>>;
   /** In which tasks negative weights are drawn on the meshes. */
@@ -139,6 +147,7 @@ export function initialState(): State {
     moves: [],
     step: 0,
     harmonic: { pins: [], value: 1 },
+    colours: { map: 'viridis', isolines: false, symmetric: false, locked: null },
     dual: { mu: 0, primal: true, edges: true, points: true },
     mode: { a: null, b: null },
     negativeShown: { weights: true, smooth: true, harmonic: false, dual: false, check: false },

@@ -4,6 +4,7 @@ import { h, put } from '../dom.js';
 import { count, exact, plural } from '../format.js';
 import type { Harmonic } from '../polylap.js';
 import { sides } from '../state.js';
+import { coloursSection } from './colours-section.js';
 import { button, menu, numberField } from './controls.js';
 import { sideTable } from './table.js';
 import { vertexField } from './vertex-field.js';
@@ -75,6 +76,7 @@ export function harmonicPanel(app: App): HTMLElement {
       h('div', { class: 'line' }, example, clear),
     ),
     h('section', {}, h('div', { class: 'line' }, vertexField(app), pinSelected), readouts.element, verdict),
+    coloursSection(app),
     h('section', {}, listTitle, list),
   );
 

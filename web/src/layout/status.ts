@@ -99,6 +99,6 @@ function legend(app: App): HTMLElement {
     put(high, exact(range.max), range.max);
   };
   app.results.watch(({ a, b }) => [a.harmonic, b.harmonic, a.check, b.check], show);
-  app.state.watch((state) => [state.task, state.mode], show);
+  app.state.watch((state) => [state.task, state.mode, state.colours], show);
   return element;
 }

@@ -130,6 +130,12 @@ function stencils(app: App, mesh: Mesh, vertex: number, rows: Record<Side, Map<n
   );
 }
 
+/** What is smaller beside the diagonal is rounding. */
+function rowSum(row: ReadonlyMap<number, number>, vertex: number): number {
+  const sum = [...row.values()].reduce((all, entry) => all + entry, 0);
+  return Math.abs(sum) > rounding * Math.abs(row.get(vertex) ?? 0) ? sum : 0;
+}
+
 function rowTable(vertex: number, rows: Record<Side, Map<number, number>>): HTMLElement {
   const neighbours = [...new Set([...rows.a.keys(), ...rows.b.keys()])]
     .filter((j) => j !== vertex)
@@ -165,6 +171,7 @@ function rowTable(vertex: number, rows: Record<Side, Map<number, number>>): HTML
       'tfoot',
       {},
       line(index('S', 'ii'), (side) => rows[side].get(vertex) ?? 0),
+      line(h('span', {}, 'Σ ', index('S', 'ij')), (side) => rowSum(rows[side], vertex)),
     ),
   );
 }

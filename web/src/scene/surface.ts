@@ -51,6 +51,7 @@ const fragmentShader = /* glsl */ `
 uniform sampler2D map;
 uniform bool mapped;
 uniform vec2 range;
+uniform float isolines;
 uniform vec3 lit;
 uniform vec3 shade;
 uniform vec3 edge;
@@ -76,6 +77,13 @@ void main() {
     surface = texture(map, vec2((t * 255.0 + 0.5) / 256.0, 0.5)).rgb * mix(0.78, 1.0, light);
     // Against dark colours edges are lighter, against light ones darker.
     drawnEdge = dot(surface, vec3(0.3, 0.6, 0.1)) < 0.3 ? mix(surface, vec3(1.0), 0.3) : 0.45 * surface;
+    // Lines of equal value, as wide everywhere; where they would run into each other there are none.
+    float level = (vValue - range.x) / (range.y - range.x) * isolines;
+    float wide = fwidth(level);
+    float off = abs(fract(level + 0.5) - 0.5) / max(wide, 1e-9);
+    float isoline = isolines > 0.0 ? (1.0 - smoothstep(0.7, 1.4, off / pixelRatio)) * (1.0 - smoothstep(0.2, 0.5, wide)) : 0.0;
+    surface = mix(surface, dot(surface, vec3(0.3, 0.6, 0.1)) < 0.45 ? vec3(1.0) : vec3(0.0), 0.85 * isoline);
+    if (isolines > 0.0) drawnEdge = mix(surface, drawnEdge, 0.35);
   }
   // Distance to each side in pixels; side k lies opposite corner k + 2.
   vec3 width = fwidth(vCorner);
@@ -150,6 +158,7 @@ export class Surface {
         map: { value: map },
         mapped: { value: false },
         range: { value: new Vector2(0, 1) },
+        isolines: { value: 0 },
         lit: { value: new Vector3(1, 1, 1) },
         shade: { value: new Vector3() },
         edge: { value: new Vector3() },
@@ -188,6 +197,11 @@ export class Surface {
     if (map) map.value = colours;
     if (mapped) mapped.value = values !== null && range !== null;
     if (range && shown) shown.value.set(range.min, range.max);
+  }
+
+  /** @param count how many spaces they divide the range into; 0: there are none */
+  drawIsolines(count: number): void {
+    if (this.material.uniforms.isolines) this.material.uniforms.isolines.value = count;
   }
 
   /** @param faded how far the surface steps back behind what is drawn on it, 0 … 1   @param edges how strong its edges are, 0 … 1 */

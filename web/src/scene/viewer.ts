@@ -27,7 +27,11 @@ export class Viewer {
   readonly camera: LinkedCamera;
   private readonly renderer: WebGLRenderer;
   private readonly pickTarget = new WebGLRenderTarget(1, 1);
-  private readonly maps = { viridis: colourTexture('viridis'), 'red-blue': colourTexture('red-blue') };
+  private readonly maps: Record<ColourMap, Texture> = {
+    viridis: colourTexture('viridis'),
+    cividis: colourTexture('cividis'),
+    'red-blue': colourTexture('red-blue'),
+  };
   private readonly labels: Record<View, Labels>;
   private shown: Record<View, Shown> | null = null;
   /** Where the third view shows A on its left and B on its right: which share of it is A's. */
@@ -132,6 +136,11 @@ export class Viewer {
 
   setValues(view: View, values: Float64Array | null, range: { min: number; max: number } | null, map: ColourMap): void {
     this.shown?.[view].surface.show(values, range, this.maps[map]);
+    this.request();
+  }
+
+  setIsolines(count: number): void {
+    for (const view of views) this.shown?.[view].surface.drawIsolines(count);
     this.request();
   }
 
