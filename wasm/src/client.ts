@@ -1,8 +1,8 @@
 /**
  * The asynchronous API: two workers, one for each side, and what it takes to have a mesh in either.
  *
- * Of large meshes too. A second copy of one with a million vertices takes 0.24 GB; but what a side computes on it takes up to 2.9 GB, and two sides would
- * not find room in one worker, whose memory ends at 4 GB.
+ * Of large meshes too: one with a million vertices takes 0.2 GB in each worker, and what a side computes on it up to 1.1 GB more; the memory of a worker
+ * ends at 4 GB.
  */
 import {
   badArgument,
