@@ -125,6 +125,10 @@ void refuse_same_output(const Arguments& a, const char* option) {
         throw CLI::ValidationError(option, "must be another file than --output");
 }
 
+void refuse_standard_output(const std::string& path, const char* option) {
+    if (path == "-") throw CLI::ValidationError(option, "must be a file: the report is on standard output");
+}
+
 void declare_descriptions(CLI::App& app, Arguments& a, Command& chosen) {
     CLI::App* const info = app.add_subcommand("info", "Describe a mesh: counts, boundary, area, volume, issues");
     add_mesh(*info, a);
@@ -226,8 +230,7 @@ void declare_measurements(CLI::App& app, Arguments& a, Command& chosen) {
     add_json(*check, a);
     add_file(*check, "--modes", a.second_out, "Rows 'vertex,mode0,...': an orthonormal basis of the kernel");
     check->callback([&] {
-        if (a.second_out == "-")
-            throw CLI::ValidationError("--modes", "must be a file: the report is on standard output");
+        refuse_standard_output(a.second_out, "--modes");
         chosen = [&] { return tool::check(a.mesh, a.choice, a.json, a.second_out); };
     });
 
@@ -236,6 +239,21 @@ void declare_measurements(CLI::App& app, Arguments& a, Command& chosen) {
     add_operator(*convergence, a, false);
     add_json(*convergence, a);
     convergence->callback([&] { chosen = [&] { return tool::convergence(a.choice, a.json); }; });
+
+    CLI::App* const spectrum = app.add_subcommand("spectrum", "Find the lowest eigenvalues of S x = μ M x");
+    add_mesh(*spectrum, a);
+    add_operator(*spectrum, a);
+    add_whole(*spectrum, "--count", "How many, with multiplicity", 1, std::numeric_limits<Index>::max(),
+              [&](double value) { a.count = static_cast<Index>(value); })
+        ->default_str(std::to_string(a.count))
+        ->type_name("K");
+    add_json(*spectrum, a);
+    add_file(*spectrum, "--modes", a.second_out,
+             "Rows 'vertex,mode0,...': the eigenvectors, M-orthonormal; 0 at vertices in no face");
+    spectrum->callback([&] {
+        refuse_standard_output(a.second_out, "--modes");
+        chosen = [&] { return tool::spectrum(a.mesh, a.choice, a.count, a.json, a.second_out); };
+    });
 
     CLI::App* const dual =
         app.add_subcommand("dual", "Orthogonal dual: a vertex per face, edges orthogonal to the mesh's");

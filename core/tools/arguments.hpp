@@ -18,6 +18,7 @@ struct Arguments {
     std::vector<NamedChoice> conversions;
     std::string fixed, out, second_out;
     double mu = 0;
+    Index count = 10;
     bool json = false;
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "files.hpp"
+#include "polylap/base/types.hpp"
 
 namespace polylap::tool {
 
@@ -58,6 +59,9 @@ Result<Outputs> harmonic(const MeshChoice& mesh, const OperatorChoice& choice, c
                          const std::string& path);
 Result<Outputs> check(const MeshChoice& mesh, const OperatorChoice& choice, bool json, const std::string& modes_path);
 Result<Outputs> convergence(const OperatorChoice& choice, bool json);
+/// @param modes_path rows 'vertex,mode0,...' of the eigenvectors; empty: none
+Result<Outputs> spectrum(const MeshChoice& mesh, const OperatorChoice& choice, Index count, bool json,
+                         const std::string& modes_path);
 Result<Outputs> dual(const MeshChoice& mesh, double mu, bool json, const std::string& path);
 Result<Outputs> make(const NamedChoice& shape, const NoiseChoice& noise, const std::string& path);
 /// @param map_path rows 'vertex,original': the file's number of each vertex after repair; empty: none

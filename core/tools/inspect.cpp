@@ -80,23 +80,6 @@ std::string report_text(const PropertyReport& report, const OperatorInfo& info) 
     return text.str();
 }
 
-/// A row per vertex: its number and its value in each mode.
-std::string modes_csv(const Matrix& modes) {
-    std::string text = "vertex";
-    for (Eigen::Index k = 0; k < modes.cols(); ++k)
-        text += ",mode" + std::to_string(k);
-    text += '\n';
-    for (Eigen::Index v = 0; v < modes.rows(); ++v) {
-        text += std::to_string(v);
-        for (Eigen::Index k = 0; k < modes.cols(); ++k) {
-            text += ',';
-            append_number(text, modes(v, k));
-        }
-        text += '\n';
-    }
-    return text;
-}
-
 ordered_json point(const Vector3& p) {
     return {p.x(), p.y(), p.z()};
 }

@@ -54,4 +54,20 @@ std::string values_csv(const Vector& values) {
     return text;
 }
 
+std::string modes_csv(const Matrix& modes) {
+    std::string text = "vertex";
+    for (Eigen::Index k = 0; k < modes.cols(); ++k)
+        text += ",mode" + std::to_string(k);
+    text += '\n';
+    for (Eigen::Index v = 0; v < modes.rows(); ++v) {
+        append_index(text, v);
+        for (Eigen::Index k = 0; k < modes.cols(); ++k) {
+            text += ',';
+            append_number(text, modes(v, k));
+        }
+        text += '\n';
+    }
+    return text;
+}
+
 }  // namespace polylap::tool

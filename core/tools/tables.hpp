@@ -35,4 +35,8 @@ Result<VertexValues> parse_vertex_values(std::string_view text, Index vertex_cou
 /// `vertex,value` rows for all vertices.
 std::string values_csv(const Vector& values);
 
+/// `vertex,mode0,…` rows for all vertices.
+/// @param modes V×k
+std::string modes_csv(const Matrix& modes);
+
 }  // namespace polylap::tool

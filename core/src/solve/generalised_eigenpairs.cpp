@@ -47,7 +47,9 @@ Result<Scaling> scaling_of(const SparseMatrix& s, const SparseMatrix& mass) {
         for (SparseMatrix::InnerIterator it(mass, v); it; ++it) {
             if (it.index() != v && it.value() != 0) {
                 return Error{ErrorCode::bad_argument,
-                             "the mass must be diagonal, column " + std::to_string(v) + " is not", v};
+                             "eigenpairs need a diagonal (lumped) mass, and column " + std::to_string(v) +
+                                 " of this one has other entries",
+                             v};
             }
         }
         if (!(diagonal[v] > 0 && std::isfinite(diagonal[v]))) {
