@@ -99,17 +99,15 @@ function iterativeTable(rows) {
     const steps = ['factor', 'conjugate gradients', 'automatic'].flatMap((who) =>
       ['first step', 'next step'].map((metric) => milliseconds(value(who, metric))),
     );
-    const chosen = value('automatic', 'iterations') > 0 ? 'conjugate gradients' : 'factor';
-    return [...key.split('\t'), ...steps, value('conjugate gradients', 'iterations'), chosen];
+    const chosen = ['first iterations', 'iterations'].map((metric) =>
+      value('automatic', metric) > 0 ? 'conjugate gradients' : 'factor',
+    );
+    return [...key.split('\t'), ...steps, value('conjugate gradients', 'iterations'), chosen.join(', ')];
   });
-  const head = [
-    'factor: first step',
-    'next',
-    'conjugate gradients: first step',
-    'next',
-    'automatic: first step',
-    'next',
-  ];
+  const head = ['factor', 'conjugate gradients', 'automatic'].flatMap((who) => [
+    `${who}: first step`,
+    'next, analysis known',
+  ]);
   return table(['vertices', 'time', ...head, 'iterations', 'chosen'], lines);
 }
 

@@ -1,4 +1,4 @@
-// The built command line: properties, convergence, orthogonal duals and vertex weights.
+// The built command line: properties, convergence, spectra, orthogonal duals and vertex weights.
 #include "command_line.hpp"
 
 #include <cmath>
@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "polylap/mesh/mesh_io.hpp"
 #include "polylap/session.hpp"
 #include "zoo.hpp"
 
@@ -79,6 +80,62 @@ TEST_F(CommandLine, ConvergenceIsStudied) {
     EXPECT_EQ(text.find("claimed: yes, "), 0u) << text;
     EXPECT_NE(text.find("\n  converges\n"), std::string::npos) << text;
     EXPECT_NE(fail(1, "convergence --operator planner").find("planar"), std::string::npos);
+}
+
+// On a sphere ℓ(ℓ+1), each 2ℓ+1 times.
+TEST_F(CommandLine, SpectrumFindsTheLowestEigenvalues) {
+    succeed("make hexagon-sphere -o sphere.obj");
+    const json found = json::parse(succeed("spectrum sphere.obj --operator planar --count 9 --json --modes modes.csv"));
+    EXPECT_EQ(found["operator"], "planar");
+    ASSERT_EQ(found["pairs"].size(), 9u);
+    for (std::size_t k = 0; k < 9; ++k) {
+        const double l = k == 0 ? 0 : k < 4 ? 1 : 2;
+        EXPECT_NEAR(found["pairs"][k]["eigenvalue"], l * (l + 1), 0.01 * l + 1e-9) << k;
+        EXPECT_LE(found["pairs"][k]["residual"], 1e-6) << k;
+    }
+
+    const std::string text = slurp(path("sphere.obj"));
+    const auto mesh = read_obj(std::as_bytes(std::span(text)));
+    ASSERT_TRUE(mesh.ok());
+    ASSERT_EQ(found["vertices"], mesh->vertex_count());
+    std::istringstream rows(slurp(path("modes.csv")));
+    std::string row;
+    std::getline(rows, row);
+    EXPECT_EQ(row, "vertex,mode0,mode1,mode2,mode3,mode4,mode5,mode6,mode7,mode8");
+    Matrix modes(mesh->vertex_count(), 9);
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+        ASSERT_TRUE(std::getline(rows, row));
+        std::istringstream cells(row);
+        std::string cell;
+        std::getline(cells, cell, ',');
+        EXPECT_EQ(cell, std::to_string(v));
+        for (int k = 0; k < 9; ++k) {
+            ASSERT_TRUE(std::getline(cells, cell, ','));
+            modes(v, k) = std::strtod(cell.c_str(), nullptr);
+        }
+    }
+    EXPECT_FALSE(std::getline(rows, row));
+    const auto matrices = build_operator(*mesh, {"planar", {}});
+    ASSERT_TRUE(matrices.ok());
+    EXPECT_LE((modes.transpose() * matrices->mass * modes - Matrix::Identity(9, 9)).cwiseAbs().maxCoeff(), 1e-9);
+    Vector values(9);
+    for (int k = 0; k < 9; ++k)
+        values[k] = found["pairs"][static_cast<std::size_t>(k)]["eigenvalue"];
+    const Matrix residual = matrices->stiffness * modes - matrices->mass * modes * values.asDiagonal();
+    EXPECT_LE(residual.cwiseAbs().maxCoeff(), 1e-8);
+    EXPECT_GT(modes.colwise().maxCoeff().minCoeff(), 0);
+}
+
+TEST_F(CommandLine, SpectrumSaysWhatItFoundAndWhyNot) {
+    const std::string table = succeed("spectrum '" + grid + "' --operator alexa-wardetzky --count 100");
+    EXPECT_NE(table.find("\n8       "), std::string::npos) << table;  // nine vertices, nine modes
+    EXPECT_EQ(table.find("\n9       "), std::string::npos) << table;
+    const std::string triangles = "spectrum '" + meshes + "triangle-sphere-2.obj' --operator ";
+    EXPECT_NE(succeed(triangles + "cotan").find("\n9       "), std::string::npos);  // ten where nothing is said
+    EXPECT_NE(fail(1, triangles + "tutte").find("not symmetric"), std::string::npos);
+    EXPECT_NE(fail(1, triangles + "cotan --set mass=galerkin").find("diagonal (lumped) mass"), std::string::npos);
+    EXPECT_NE(fail(2, triangles + "cotan --modes -").find("--modes"), std::string::npos);
+    EXPECT_NE(fail(2, triangles + "cotan --count 0").find("--count"), std::string::npos);
 }
 
 TEST_F(CommandLine, DualDescribesAndWritesTheOrthogonalDual) {

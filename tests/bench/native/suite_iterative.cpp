@@ -1,5 +1,6 @@
 #include "meshes.hpp"
 #include "polylap/apply/smoothing.hpp"
+#include "polylap/solve/spd_factor.hpp"
 #include "suites.hpp"
 #include "systems.hpp"
 
@@ -8,18 +9,28 @@ namespace {
 
 using Choice = SmootherOptions::Choice;
 
-/// A first step, and the next one on the moved surface with its own S and M, as when they are rebuilt before each step.
+int iterations(const ImplicitSmoother& smoother) {
+    const SmoothingSolve solve = smoother.last_solve();
+    return solve.solver == SmoothingSolver::conjugate_gradients ? solve.iterations : 0;
+}
+
+/// A first step, when nothing is known, and the next one on the moved surface with its own S and M, as when they are
+/// rebuilt before each step; there the analysis of the factor is known.
 void smooth(const PolygonMesh& mesh, double time, Choice choice, Record& record) {
     const OperatorMatrices matrices = build(mesh);
     const SmootherOptions options{.choice = choice, .positions = &mesh.positions()};
     auto smoother =
         record.time("first step", [&] { return opened(ImplicitSmoother::create(matrices, time, options)); });
     const Points moved = record.time("first step", [&] { return opened(smoother.step(mesh.positions())); });
+    record.add("first iterations", "", iterations(smoother));
+    if (smoother.analysis() == nullptr) {
+        const SparseMatrix system = matrices.mass + time * matrices.stiffness;
+        smoother.use(opened(SpdAnalysis::create(system, mesh.positions())));
+    }
     const OperatorMatrices next = build(opened(mesh.with_positions(moved)));
     opened(record.time("next step", [&] { return smoother.update(next, time, options); }));
     const Points twice = record.time("next step", [&] { return opened(smoother.step(moved)); });
-    const SmoothingSolve solve = smoother.last_solve();
-    record.add("iterations", "", solve.solver == SmoothingSolver::conjugate_gradients ? solve.iterations : 0);
+    record.add("iterations", "", iterations(smoother));
     require_solves(next.mass + time * next.stiffness, twice, next.mass * moved);
 }
 
