@@ -40,6 +40,8 @@ struct Referenced {
         return restricted;
     }
 
+    Points positions(const PolygonMesh& mesh) const { return mesh.positions()(vertices, Eigen::all); }
+
     Matrix extend(const Matrix& rows) const {
         Matrix all = Matrix::Zero(static_cast<Eigen::Index>(local.size()), rows.cols());
         for (std::size_t k = 0; k < vertices.size(); ++k) {
@@ -57,9 +59,11 @@ struct LowEnd {
     bool complete = true;  ///< The value after them is known, or there is none.
 };
 
-/// @param zeros Index(const LowEnd&): how many of the pairs found belong to the kernel
+/// @param positions of the rows, for the factor
+/// @param zeros     Index(const LowEnd&): how many of the pairs found belong to the kernel
 template <class CountZeros>
-Result<LowEnd> find_low_end(const SparseMatrix& a, Index first_count, Monitor monitor, CountZeros&& zeros) {
+Result<LowEnd> find_low_end(const SparseMatrix& a, const Points& positions, Index first_count, Monitor monitor,
+                            CountZeros&& zeros) {
     const auto n = static_cast<Index>(a.rows());
     LowEnd low;
     Stretch begin{monitor, 0, 0.3};
@@ -70,7 +74,7 @@ Result<LowEnd> find_low_end(const SparseMatrix& a, Index first_count, Monitor mo
     double done = 0.3;
     for (Index count = std::min(first_count, most);; count = std::min(2 * count, most)) {
         Stretch stretch{monitor, done, done + 0.5 * (1 - done)};
-        auto pairs = lowest_eigenpairs(a, count, stretch.monitor());
+        auto pairs = lowest_eigenpairs(a, count, stretch.monitor(), positions);
         if (!pairs) return pairs.error();
         done = stretch.to;
         low.pairs = *std::move(pairs);
@@ -132,8 +136,9 @@ Result<Measurement> measure_spectrum(const Subject& subject, bool symmetric, Pro
     const SparseMatrix even = 0.5 * (s + SparseMatrix(s.transpose()));
     const Index first_count = std::min(kernel_limit, subject.topology.component_count) + 6;
 
+    const Points positions = referenced.positions(subject.mesh);
     Stretch first{monitor, 0, 0.5};
-    const auto low = find_low_end(even, first_count, first.monitor(), [](const LowEnd& end) {
+    const auto low = find_low_end(even, positions, first_count, first.monitor(), [](const LowEnd& end) {
         return static_cast<Index>((end.pairs.values.array() <= kernel_tolerance * end.largest).count());
     });
     if (!low) {
@@ -159,7 +164,7 @@ Result<Measurement> measure_spectrum(const Subject& subject, bool symmetric, Pro
         const SparseMatrix product = SparseMatrix(s.transpose()) * s;
         const SparseMatrix squared = 0.5 * (product + SparseMatrix(product.transpose()));
         Stretch second{monitor, 0.5, 1};
-        const auto ends = find_low_end(squared, first_count, second.monitor(), [&](const LowEnd& end) {
+        const auto ends = find_low_end(squared, positions, first_count, second.monitor(), [&](const LowEnd& end) {
             const Matrix image = s * end.pairs.vectors;
             const Eigen::JacobiSVD<Matrix, Eigen::HouseholderQRPreconditioner> svd(
                 image, Eigen::ComputeThinU | Eigen::ComputeThinV);
