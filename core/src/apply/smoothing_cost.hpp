@@ -29,7 +29,7 @@ struct SmoothingCost {
     /// An entry takes 1.8 ns where the matrix stays in the cache (10⁵ entries), 2.6 at 10⁶, 2.9 at 2·10⁶.
     double iteration() const { return entries * (1.8e-9 + 0.8e-9 * std::max(0.0, std::log10(entries / 1e5))); }
     double factor() const { return analysis() + numeric(); }
-    double solve() const { return 4e-9 * factor_entries(); }
+    double solve() const { return 3e-9 * factor_entries(); }
     /// What a step of so many iterations cost beyond a step with the analysis at hand.
     double loss(int iterations) const {
         return std::max(0.0, (iterations + preparing) * iteration() - numeric() - solve());
