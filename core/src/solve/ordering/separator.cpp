@@ -125,28 +125,25 @@ double Splitter::median(const Vector3& normal, std::size_t step) {
     return *middle;
 }
 
-/// How many of the sample a plane through its middle, or nearly so, parts from a neighbour.
-std::size_t Splitter::count_parted(const Vector3& normal) {
-    const double offset = median(normal, 1 + stars_.size() / 512);
-    keys_.clear();
-    for (const Vector3& x : sampled_)
-        keys_.push_back(x.dot(normal));
+/// How many of the sample, or of a part of it, a plane parts from a neighbour.
+std::size_t Splitter::count_parted(const Plane& plane, std::size_t step) {
     std::size_t parted = 0;
-    for (std::size_t k = 0; k + 1 < stars_.size(); ++k) {
-        const bool low = keys_[stars_[k]] < offset;
-        bool other = false;
-        for (std::size_t i = stars_[k] + 1; i < stars_[k + 1]; ++i)
-            other |= (keys_[i] < offset) != low;
-        parted += other ? 1 : 0;
+    for (std::size_t k = 0; k + 1 < stars_.size(); k += step) {
+        const Vector3* const star = sampled_.data() + stars_[k];
+        const std::size_t size = stars_[k + 1] - stars_[k];
+        std::size_t low = 0;
+        for (std::size_t i = 0; i < size; ++i)
+            low += star[i].dot(plane.normal) < plane.offset ? 1 : 0;
+        parted += low != 0 && low != size ? 1 : 0;
     }
     return parted;
 }
 
 Splitter::Plane Splitter::find_plane() {
-    const double count = static_cast<double>(stars_.size() - 1);
+    const double stars = static_cast<double>(stars_.size() - 1);
     Vector3 centre = Vector3::Zero();
     for (std::size_t k = 0; k + 1 < stars_.size(); ++k)
-        centre += sampled_[stars_[k]] / count;
+        centre += sampled_[stars_[k]] / stars;
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
     for (std::size_t k = 0; k + 1 < stars_.size(); ++k) {
         const Vector3 x = sampled_[stars_[k]] - centre;
@@ -156,23 +153,34 @@ Splitter::Plane Splitter::find_plane() {
     const Vector3 longest = solver.eigenvectors().col(2);
     const Vector3 second = solver.eigenvectors().col(1);
     const Vector3 thinnest = solver.eigenvectors().col(0);
-    Plane best;
-    auto least = std::numeric_limits<std::size_t>::max();
-    const auto consider = [&](const Vector3& normal) {
-        const std::size_t parted = count_parted(normal);
-        if (parted == 0 || parted >= least) return;
-        least = parted;
-        best.normal = normal;
-    };
-    consider(longest);
-    consider(second);
-    consider(longest + second);
-    consider(longest - second);
+    std::array<Vector3, 7> candidates{longest, second, longest + second, longest - second};
+    std::size_t count = 4;
     for (int k = 0; k < 3; ++k) {  // many meshes follow the axes
         const Vector3 axis = Vector3::Unit(k);
         const bool known = std::max(std::abs(axis.dot(longest)), std::abs(axis.dot(second))) > 0.98;
         const bool across = std::abs(axis.dot(thinnest)) > 0.9;
-        if (!known && !across) consider(axis);
+        if (!known && !across) candidates[count++] = axis;
+    }
+    // A part of the sample tells which are out of the question.
+    constexpr std::size_t part = 4;
+    constexpr double hopeless = 1.5;
+    constexpr auto none = std::numeric_limits<std::size_t>::max();
+    std::array<Plane, 7> planes;
+    std::array<std::size_t, 7> parted{};
+    std::size_t fewest = none;
+    for (std::size_t k = 0; k < count; ++k) {
+        planes[k] = {candidates[k], median(candidates[k], 1 + stars_.size() / 512)};
+        parted[k] = count_parted(planes[k], part);
+        if (parted[k] > 0) fewest = std::min(fewest, parted[k]);
+    }
+    Plane best;
+    std::size_t least = none;
+    for (std::size_t k = 0; k < count; ++k) {
+        if (static_cast<double>(parted[k]) > hopeless * static_cast<double>(fewest) + 2) continue;
+        const std::size_t all = count_parted(planes[k], 1);
+        if (all == 0 || all >= least) continue;
+        least = all;
+        best.normal = candidates[k];
     }
     best.offset = median(best.normal, 1);
     return best;

@@ -59,7 +59,7 @@ private:
     void sample(std::span<const Index> region, const Points& positions);
     Plane find_plane();
     double median(const Vector3& normal, std::size_t step);
-    std::size_t count_parted(const Vector3& normal);
+    std::size_t count_parted(const Plane& plane, std::size_t step);
 
     // Refinement
     void refine(Sizes& sizes);
