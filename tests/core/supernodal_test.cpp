@@ -132,6 +132,21 @@ TEST_P(Ordered, KeepsTheFillOfGridsLow) {
     }
 }
 
+TEST(Supernodal, OrdersLargeGraphsByTheirClusters) {
+    const System grid = grid_system(150, 140);
+    const auto n = static_cast<double>(grid.a.rows());
+    for (std::size_t where = 0; where < grid.positions.size(); ++where) {
+        SCOPED_TRACE(where);
+        const Symbolic symbolic = get(analyse_pattern(grid.a, grid.positions[where], {}, 0));
+        EXPECT_TRUE(is_permutation(symbolic.original));
+        EXPECT_LE(static_cast<double>(symbolic.entries), 3.3 * n * std::log2(n));
+        Numeric numeric;
+        check(numeric.factor(symbolic, grid.a, {}));
+        const Matrix b = some_rhs(grid.a.rows(), 2);
+        EXPECT_LE(residual(grid.a, numeric.solve(symbolic, b), b), 1e-14);
+    }
+}
+
 TEST(Supernodal, IsTheSameEachTime) {
     const System grid = grid_system(64, 60);
     for (const Points& positions : grid.positions) {

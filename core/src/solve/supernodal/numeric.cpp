@@ -208,6 +208,7 @@ void Numeric::make_room(const Symbolic& symbolic) {
         sizes_.clear();
         pieces_.clear();
         std::vector<std::unique_ptr<double[]>> pieces;
+        pieces.reserve(sizes.size());
         for (const std::size_t size : sizes)
             pieces.push_back(allocate(size));
         pieces_ = std::move(pieces);
