@@ -1,6 +1,7 @@
 #include "meshes.hpp"
 #include "polylap/apply/smoothing.hpp"
 #include "polylap/solve/spd_factor.hpp"
+#include "solve/lower_triangle.hpp"
 #include "suites.hpp"
 #include "systems.hpp"
 
@@ -23,12 +24,14 @@ void smooth(const PolygonMesh& mesh, double time, Choice choice, Record& record)
         record.time("first step", [&] { return opened(ImplicitSmoother::create(matrices, time, options)); });
     const Points moved = record.time("first step", [&] { return opened(smoother.step(mesh.positions())); });
     record.add("first iterations", "", iterations(smoother));
-    if (smoother.analysis() == nullptr) {
+    std::shared_ptr<const SpdAnalysis> known = smoother.analysis();
+    if (known == nullptr) {
         const SparseMatrix system = matrices.mass + time * matrices.stiffness;
-        smoother.use(opened(SpdAnalysis::create(system, mesh.positions())));
+        known = opened(SpdAnalysis::create(lower_triangle(system), mesh.positions()));
     }
+    const SmootherOptions later{.choice = choice, .positions = &mesh.positions(), .known = {&known, 1}};
     const OperatorMatrices next = build(opened(mesh.with_positions(moved)));
-    opened(record.time("next step", [&] { return smoother.update(next, time, options); }));
+    opened(record.time("next step", [&] { return smoother.update(next, time, later); }));
     const Points twice = record.time("next step", [&] { return opened(smoother.step(moved)); });
     record.add("iterations", "", iterations(smoother));
     require_solves(next.mass + time * next.stiffness, twice, next.mass * moved);
