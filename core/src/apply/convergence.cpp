@@ -19,8 +19,8 @@ double harmonic_function(const Vector3& p) {
 }
 
 Result<Vector> solve_dirichlet(const PolygonMesh& mesh, const Topology& topology, const OperatorMatrices& matrices) {
-    const auto problem = DirichletProblem::create(matrices.stiffness, topology.boundary_vertices, matrices.structure,
-                                                  mesh.positions());
+    const auto problem =
+        DirichletProblem::create(matrices.stiffness, topology.boundary_vertices, matrices.structure, mesh.positions());
     if (!problem) return problem.error();
     Vector given(static_cast<Eigen::Index>(topology.boundary_vertices.size()));
     for (std::size_t k = 0; k < topology.boundary_vertices.size(); ++k) {

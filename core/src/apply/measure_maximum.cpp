@@ -124,8 +124,8 @@ Result<Measurement> measure_maximum_principle(const Subject& subject, Monitor mo
     const auto unreferenced = static_cast<Index>(subject.topology.unreferenced.size());
     if (fixed_count + unreferenced == mesh.vertex_count()) return not_measured("every vertex lies on the boundary");
     if (!monitor.proceed(0)) return Error{ErrorCode::cancelled, "cancelled"};
-    const auto problem = DirichletProblem::create(subject.stiffness(), fixed.vertices, subject.matrices.structure,
-                                                  mesh.positions());
+    const auto problem =
+        DirichletProblem::create(subject.stiffness(), fixed.vertices, subject.matrices.structure, mesh.positions());
     if (!problem) {
         if (ends_check(problem.error())) return problem.error();
         return not_measured("with " + fixed.text() + " fixed: " + problem.error().message);

@@ -44,7 +44,7 @@ private:
 
 struct SpdAnalysis::Impl {
     Symbolic symbolic;
-    Index entries;  ///< Stored in the analysed matrix.
+    Index entries = 0;  ///< Stored in the analysed matrix.
     Fingerprint pattern;
 };
 
