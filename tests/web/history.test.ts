@@ -165,7 +165,8 @@ describe('undo and redo', () => {
 describe('a link', () => {
   const linkFrom = async (page: Page) => {
     await page.getByRole('button', { name: 'Share…' }).click();
-    await page.waitForFunction(() => document.querySelector<HTMLTextAreaElement>('#share-link')?.value);
+    // It opens when the link is there.
+    await page.locator('#share-link').waitFor();
     return page.locator('#share-link').inputValue();
   };
 

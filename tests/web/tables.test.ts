@@ -67,6 +67,19 @@ describe('shapes and conversions', () => {
     expect(await page.getByRole('dialog').count()).toBe(0);
   });
 
+  it('refuses what is larger than it takes, and keeps the mesh', async () => {
+    const { page } = at;
+    await chooseMesh(page, 'grid-8');
+    await page.getByRole('button', { name: 'Make…' }).click();
+    await page.getByLabel('Shape', { exact: true }).selectOption('grid');
+    await page.getByLabel('cells along x, value').fill('1001');
+    await page.getByLabel('cells along y, value').fill('1000');
+    await page.getByRole('button', { name: 'Make', exact: true }).click();
+    await page.getByRole('alert').filter({ hasText: 'It has 1\u202f001\u202f000 faces' }).waitFor();
+    expect(await page.evaluate(() => globalThis.polylap.results().mesh?.faces)).toBe(64);
+    await page.getByRole('dialog').getByRole('button', { name: 'Close' }).click();
+  });
+
   it.each(conversions.map(({ id }) => id))('converts the mesh on screen: %s', async (id) => {
     const { page } = at;
     await chooseMesh(page, 'torus');

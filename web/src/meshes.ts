@@ -148,6 +148,10 @@ export class Meshes {
     let mesh: Mesh;
     try {
       mesh = await app.work.run(source.kind === 'file' ? `Opening ${label}` : `Making ${label}`, make);
+      if (mesh.faces > tooManyFaces) {
+        void mesh.close();
+        throw new Error(`It has ${plural(mesh.faces, 'face')}; this page takes up to ${count(tooManyFaces)}.`);
+      }
     } catch (reason) {
       this.awaited--;
       app.answers.again();
