@@ -165,7 +165,7 @@ TEST(SpdFactor, TheScaleDoesNotMatter) {
 
 /// A mesh large enough for several ticks of the analysis and of the factorisation.
 SparseMatrix large_system(Points& positions) {
-    const auto torus = get(make_torus(180, 150));
+    const auto torus = get(make_torus(260, 200));
     positions = torus.positions();
     return system_on(torus, 1);
 }
