@@ -23,6 +23,13 @@ const shown = (value, unit) => {
 
 const marks = { met: '✓', missed: '✗', 'not measured': '–' };
 
+/** Why targets were missed, where that is known. */
+const misses = (find) =>
+  targets
+    .filter(({ why, measure }) => why && measure(find).some((line) => verdict(line) === 'missed'))
+    .map(({ what, why }) => `\nMissed: ${what}: ${why}\n`)
+    .join('');
+
 /** One row per target; each of its numbers with its own mark, so that a row says what is missing. */
 function targetTable(find) {
   const rows = targets.map(({ what, target, measure }) => {
@@ -35,7 +42,7 @@ function targetTable(find) {
     const overall = ['missed', 'not measured'].find((name) => verdicts.includes(name)) ?? 'met';
     return [what, target, texts.join('; '), `${marks[overall]} ${overall}`];
   });
-  return table(['', 'target', 'measured', ''], rows);
+  return table(['', 'target', 'measured', ''], rows) + misses(find);
 }
 
 const groupBy = (rows, key) => {

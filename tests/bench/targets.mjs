@@ -48,11 +48,12 @@ const assemblyRatio = (find, item, metric, atLeast) => {
 const total = (find, group, shape, n, item, limit) =>
   atMost(`${shape} ${sizeName(n)}`, find.native(group, shape, n, item, 'total'), limit, 'ms');
 
-/** @type {{what: string, target: string, measure: (find: ReturnType<typeof lookUp>) => object[]}[]} */
+/** @type {{what: string, target: string, why?: string, measure: (find: ReturnType<typeof lookUp>) => object[]}[]} `why` explains a miss, by a profile. */
 export const targets = [
   {
     what: 'Assembly against an SVD per face and triplets, 250k vertices',
     target: '≥ 10× first, ≥ 25× repeated',
+    why: 'of the 50 ms of a first assembly, 23 find the pattern, in two passes over the corners with scattered access, and 18 are the sum over faces; the rest is memory that the system hands out.',
     measure: (find) =>
       ['alexa-wardetzky', 'planar'].flatMap((item) => [
         assemblyRatio(find, item, 'first', 10),
@@ -69,36 +70,37 @@ export const targets = [
   },
   {
     what: 'One smoothing step from scratch',
-    target: '≤ 1 s at 250k, ≤ 8 s at 1M',
+    target: '≤ 0.5 s at 250k, ≤ 2 s at 1M',
     measure: (find) => [
-      total(find, 'smoothing', 'torus', 250e3, 'polylap', 1000),
-      total(find, 'smoothing', 'torus', 1e6, 'polylap', 8000),
+      total(find, 'smoothing', 'torus', 250e3, 'polylap', 500),
+      total(find, 'smoothing', 'torus', 1e6, 'polylap', 2000),
     ],
   },
   {
     what: 'Harmonic interpolation from scratch',
-    target: '≤ 1 s at 250k, ≤ 8 s at 1M',
+    target: '≤ 0.8 s at 250k, ≤ 4 s at 1M',
     measure: (find) => [
-      total(find, 'harmonic', 'torus', 250e3, 'two pins', 1000),
-      total(find, 'harmonic', 'grid', 250e3, 'boundary', 1000),
-      total(find, 'harmonic', 'torus', 1e6, 'two pins', 8000),
-      total(find, 'harmonic', 'grid', 1e6, 'boundary', 8000),
+      total(find, 'harmonic', 'torus', 250e3, 'two pins', 800),
+      total(find, 'harmonic', 'grid', 250e3, 'boundary', 800),
+      total(find, 'harmonic', 'torus', 1e6, 'two pins', 4000),
+      total(find, 'harmonic', 'grid', 1e6, 'boundary', 4000),
     ],
   },
   {
     what: 'Factor against Eigen LDLT with AMD',
-    target: '≥ 2.5× at 100k, ≥ 4× at 250k, ≥ 7× at 1M',
+    target: '≥ 2.5× at 100k, ≥ 5× at 250k, ≥ 12× at 1M',
+    why: 'at 100k two thirds of the time go into the order, by nested dissection: minimum degree would take 40 ms less on this torus, but leave a third more fill where the vertices are numbered at random.',
     measure: (find) =>
       [
         [100e3, 2.5],
-        [250e3, 4],
-        [1e6, 7],
+        [250e3, 5],
+        [1e6, 12],
       ].flatMap(([n, atLeast]) => factorRatios(find, n, ['Eigen LDLT, AMD'], atLeast)),
   },
   {
     what: 'Factor against CHOLMOD supernodal, the better of AMD and METIS',
-    target: '≥ 1× at 100k, 250k and 1M',
-    measure: (find) => [100e3, 250e3, 1e6].flatMap((n) => factorRatios(find, n, cholmod, 1)),
+    target: '≥ 1.4× at 100k, 250k and 1M',
+    measure: (find) => [100e3, 250e3, 1e6].flatMap((n) => factorRatios(find, n, cholmod, 1.4)),
   },
   {
     what: 'Factor in a Chromium worker, warm, against Eigen LDLT in the same WebAssembly, 250k',
@@ -127,32 +129,32 @@ export const targets = [
   },
   {
     what: 'OBJ bytes to what a viewer needs in a Chromium worker, a corner of 250k quads',
-    target: '≤ 3 µs',
+    target: '≤ 1 µs',
     measure: (find) => [
-      atMost('first', find.browser('OBJ, first, per corner', 250e3), 3, 'µs'),
-      atMost('again', find.browser('OBJ, per corner', 250e3), 3, 'µs'),
+      atMost('first', find.browser('OBJ, first, per corner', 250e3), 1, 'µs'),
+      atMost('again', find.browser('OBJ, per corner', 250e3), 1, 'µs'),
     ],
   },
   {
     what: 'A new pin at 100k vertices in Chromium, click to values; dragging a value',
-    target: '≤ 100 ms; ≤ 16 ms',
+    target: '≤ 60 ms; ≤ 10 ms',
     measure: (find) => [
-      atMost('new pin', find.browser('new pin', 100e3), 100, 'ms'),
-      atMost('drag', find.browser('drag', 100e3), 16, 'ms'),
+      atMost('new pin', find.browser('new pin', 100e3), 60, 'ms'),
+      atMost('drag', find.browser('drag', 100e3), 10, 'ms'),
     ],
   },
   {
     what: 'Smoothing step, 10k vertices, Chromium',
-    target: '≤ 16 ms repeated, ≤ 40 ms with S rebuilt',
+    target: '≤ 12 ms repeated, ≤ 20 ms with S rebuilt',
     measure: (find) => [
-      atMost('fixed S', find.browser('smooth fixed', 10e3), 16, 'ms'),
-      atMost('S rebuilt', find.browser('smooth rebuilt', 10e3), 40, 'ms'),
+      atMost('fixed S', find.browser('smooth fixed', 10e3), 12, 'ms'),
+      atMost('S rebuilt', find.browser('smooth rebuilt', 10e3), 20, 'ms'),
     ],
   },
   {
     what: '30 eigenpairs, 20k vertices',
-    target: '≤ 0.5 s',
-    measure: (find) => [atMost('', find.native('eigenpairs', 'torus', 20e3, 'polylap', '30 pairs'), 500, 'ms')],
+    target: '≤ 0.4 s',
+    measure: (find) => [atMost('', find.native('eigenpairs', 'torus', 20e3, 'polylap', '30 pairs'), 400, 'ms')],
   },
   {
     what: 'Fill nnz(L) against AMD, quad torus',
@@ -165,10 +167,10 @@ export const targets = [
   },
   {
     what: 'Largest quad mesh in the browser: 1M vertices',
-    target: 'factor ≤ 12 s, heap ≤ 1.4 GB',
+    target: 'factor ≤ 8 s, heap ≤ 1.25 GB',
     measure: (find) => [
-      atMost('factor from scratch', sum(find.browser('analysis', 1e6), find.browser('factor', 1e6)), 12_000, 'ms'),
-      atMost('heap', find.browser('heap', 1e6), 1400, 'MB'),
+      atMost('factor from scratch', sum(find.browser('analysis', 1e6), find.browser('factor', 1e6)), 8000, 'ms'),
+      atMost('heap', find.browser('heap', 1e6), 1250, 'MB'),
     ],
   },
 ];
