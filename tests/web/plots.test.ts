@@ -72,6 +72,12 @@ describe('in the page', () => {
   const site = useSite();
   const at = useVisit(site);
   const plot = (name: string) => at.page.locator(`[data-plot=${name}]`);
+  /** A column of the table, which is built when it is opened. */
+  const column = async (name: string, number: number) => {
+    await plot(name).getByText('Numbers').click();
+    await plot(name).locator('tbody tr').first().waitFor();
+    return (await plot(name).locator(`tbody td:nth-child(${number})`).allTextContents()).map(Number);
+  };
 
   it('draws the weights of both sides, and gives their numbers', async () => {
     const { page } = at;
@@ -82,9 +88,8 @@ describe('in the page', () => {
     expect(await plot('weights-b').getByRole('img').getAttribute('aria-label')).toMatch(/ 0 of them negative$/);
     expect(await plot('weights-a').locator('.bar.minus').count()).toBeGreaterThan(0);
     expect(await plot('weights-b').locator('.bar.minus').count()).toBe(0);
-    await plot('weights-a').getByText('Numbers').click();
-    const counts = await plot('weights-a').locator('tbody tr td:nth-child(3)').allTextContents();
-    expect(counts.reduce((sum, text) => sum + Number(text), 0)).toBe(4096);
+    const counts = await column('weights-a', 3);
+    expect(counts.reduce((sum, number) => sum + number, 0)).toBe(4096);
     const [download] = await Promise.all([
       page.waitForEvent('download'),
       page.locator('[data-action=csv-weights-a]').click(),
@@ -103,10 +108,9 @@ describe('in the page', () => {
     await page.getByLabel('Mesh', { exact: true }).selectOption('shape:voronoi');
     await plot('face-sizes').waitFor();
     await settled(page);
-    await plot('face-sizes').getByText('Numbers').click();
-    const faces = await plot('face-sizes').locator('tbody td:nth-child(2)').allTextContents();
+    const faces = await column('face-sizes', 2);
     const all = await page.evaluate(() => globalThis.polylap.results().mesh?.faces);
-    expect(faces.reduce((sum, text) => sum + Number(text), 0)).toBe(all);
+    expect(faces.reduce((sum, number) => sum + number, 0)).toBe(all);
   });
 
   it('follows the surfaces over the steps', async () => {
@@ -121,9 +125,7 @@ describe('in the page', () => {
       areas.push(await page.evaluate(() => globalThis.polylap.results().a.shape?.area));
     }
     await settled(page);
-    await plot('area').getByText('Numbers').click();
-    const rows = await plot('area').locator('tbody tr td:nth-child(2)').allTextContents();
-    expect(rows.map(Number)).toEqual(areas.map((area) => Number(area?.toPrecision(6))));
+    expect(await column('area', 2)).toEqual(areas.map((area) => Number(area?.toPrecision(6))));
     expect(await plot('volume').isVisible()).toBe(true);
     await chooseMesh(page, 'noisy-saddle');
     await page.getByRole('button', { name: 'Step', exact: true }).click();
