@@ -140,8 +140,10 @@ export class App {
     const elsewhere = JSON.stringify(state.source) !== JSON.stringify(now.source) || !this.results.get().mesh;
     if (elsewhere && (await this.meshes.again(state))) return false;
     // The surfaces move when they are there.
-    const { moves: _, step: __, sides: choices, ...rest } = state;
-    this.state.set(rest);
+    const { moves: _, step: __, sides: choices, selected, ...rest } = state;
+    const vertices = this.results.get().mesh?.vertices ?? 0;
+    // A link's file may be another one of that name.
+    this.state.set({ ...rest, selected: selected !== null && selected < vertices ? selected : null });
     for (const side of sides)
       if (JSON.stringify(choices[side]) !== JSON.stringify(this.state.get().sides[side]))
         this.setChoice(side, choices[side]);

@@ -5,7 +5,7 @@ import { type Bin, histogram } from './scale.js';
 /** What is smaller beside the diagonal is rounding, as for the counts. */
 const rounding = 1e-10;
 
-/** w_ij of the unordered pairs that have a weight, both halves where they differ; for symmetric S each pair once. */
+/** w_ij of all ordered pairs that have a weight. */
 export function weightsOf({ cols, colStarts, rowIndices, values }: SparseMatrix): number[] {
   let diagonal = 0;
   for (let j = 0; j < cols; j++)
