@@ -1,11 +1,13 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
+import { threeParts } from './three-parts.mjs';
 
 export default defineConfig({
   root: fileURLToPath(new URL('.', import.meta.url)),
   base: './',
   // What web/bunny.mjs makes.
   publicDir: fileURLToPath(new URL('../build/public', import.meta.url)),
+  plugins: [threeParts()],
   worker: { format: 'es' },
   // The module and its wasm live beside web/.
   server: { fs: { allow: ['..'] } },
