@@ -50,6 +50,11 @@ describe.each([
     await page.locator('.error').waitFor({ state: 'visible' });
     expect(await complaints(page)).toEqual([]);
     for (const opener of ['Make…', 'Paste…', 'Help']) {
+      const menu = page.getByRole('button', { name: 'Menu', exact: true });
+      if (await menu.isVisible()) {
+        await menu.click();
+        expect(await complaints(page)).toEqual([]);
+      }
       await page.getByRole('button', { name: opener }).click();
       expect(await complaints(page)).toEqual([]);
       await page.keyboard.press('Escape');
@@ -80,7 +85,8 @@ describe('widths', () => {
     expect(await page.locator('[data-view=a]').isVisible()).toBe(false);
     expect(await page.locator('[data-view=b]').isVisible()).toBe(true);
     expect(await toB.getAttribute('aria-pressed')).toBe('true');
-    for (const name of ['Make…', 'Open…', 'Paste…', 'Help']) {
+    await page.getByRole('button', { name: 'Menu', exact: true }).click();
+    for (const name of ['Menu', 'Undo', 'Make…', 'Open…', 'Paste…', 'Help']) {
       const box = await page.getByRole('button', { name }).boundingBox();
       expect(Math.min(box?.height ?? 0, box?.width ?? 0)).toBeGreaterThanOrEqual(name === 'Help' ? 32 : 44);
     }

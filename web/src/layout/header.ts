@@ -69,21 +69,33 @@ export function header(
       redo.title = redoes === null ? 'Nothing to redo' : `Redo: ${redoes} (Ctrl Shift Z)`;
     },
   );
+  // Where there is no room for them in the line, they open below it.
+  const more = h(
+    'div',
+    { class: 'actions', id: 'actions', popover: 'auto' },
+    button('Make…', actions.make, { 'data-action': 'make', title: 'Shapes with parameters, and changes to the mesh' }),
+    button('Open…', actions.open, { 'data-action': 'open' }),
+    button('Paste…', actions.paste, { 'data-action': 'paste' }),
+    button('Share…', actions.share, { 'data-action': 'share' }),
+    button('Save…', actions.save, { 'data-action': 'save' }),
+    theme,
+    button('?', actions.help, { 'aria-label': 'Help', title: 'Help (?)', class: 'key', 'data-action': 'help' }),
+  );
+  // Before the dialog opens, so that closing it leads back to the menu's button.
+  const close = (event: Event) => {
+    if (event.target instanceof HTMLButtonElement && more.matches(':popover-open')) more.hidePopover();
+  };
+  more.addEventListener('click', close, { capture: true });
   return h(
     'header',
     { class: 'masthead' },
     h('h1', {}, 'polylap'),
     h('p', { class: 'tagline' }, 'Laplacians on polygon meshes, side by side'),
     meshes,
-    button('Make…', actions.make, { 'data-action': 'make', title: 'Shapes with parameters, and changes to the mesh' }),
     h('span', { class: 'spring' }),
-    button('Open…', actions.open, { 'data-action': 'open' }),
-    button('Paste…', actions.paste, { 'data-action': 'paste' }),
     undo,
     redo,
-    button('Share…', actions.share, { 'data-action': 'share' }),
-    button('Save…', actions.save, { 'data-action': 'save' }),
-    theme,
-    button('?', actions.help, { 'aria-label': 'Help', title: 'Help (?)', class: 'key', 'data-action': 'help' }),
+    h('button', { type: 'button', class: 'more', popovertarget: 'actions' }, 'Menu'),
+    more,
   );
 }
