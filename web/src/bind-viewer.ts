@@ -3,15 +3,15 @@ import { colouring } from './colouring.js';
 import { isTyping } from './dom.js';
 import type { Geometry, Side } from './polylap.js';
 import { known } from './results.js';
+import { wheelHint } from './scene/host-scroll.js';
 import { chain, dualLayers, negativeLines, weightCircles } from './scene/layers.js';
 import { Mark } from './scene/markers.js';
-import type { Viewer } from './scene/viewer.js';
+import { onTap, type Tap } from './scene/taps.js';
+import { fingerReach, type Viewer } from './scene/viewer.js';
 import { operatorOf, presets, type Source, sides, type View, views } from './state.js';
 
 /** Isolines divide the range of colours into so many. */
 const isolineSpaces = 20;
-/** A press that moves less than this, in pixels, is a click. */
-const clickReach = 5;
 
 /** Keeps the views in step with what was chosen and computed. */
 export function bindViewer(app: App, viewer: Viewer): void {
@@ -183,21 +183,21 @@ function liesFlat({ positions }: Geometry): boolean {
 
 /** Pointer and keys on the views. */
 export function bindInput(app: App, viewer: Viewer, places: Record<View, HTMLElement>): void {
+  viewer.camera.onHostWheel = wheelHint((text) => app.say(text));
   for (const side of views) {
     const view = places[side];
-    let pressed: { x: number; y: number } | null = null;
     let looking = 0;
-    view.addEventListener('pointerdown', ({ button, clientX, clientY }) => {
-      pressed = button === 0 ? { x: clientX, y: clientY } : null;
-    });
-    view.addEventListener('pointerup', ({ clientX, clientY }) => {
-      const still = pressed && Math.hypot(clientX - pressed.x, clientY - pressed.y) < clickReach;
-      pressed = null;
-      if (!still) return;
-      const vertex = viewer.pick(side, clientX, clientY);
-      if (vertex === null) return;
-      app.select(vertex);
-      if (app.state.get().task === 'harmonic') app.touchPin(vertex);
+    const meant = ({ x, y, touch }: Tap) => viewer.pick(side, x, y, touch ? fingerReach : undefined);
+    onTap(view, {
+      tap: (at) => {
+        const vertex = meant(at);
+        if (vertex !== null) app.select(vertex);
+      },
+      single: (at) => {
+        const vertex = app.state.get().task === 'harmonic' ? meant(at) : null;
+        if (vertex !== null) app.touchPin(vertex);
+      },
+      double: () => viewer.camera.reset(),
     });
     view.addEventListener('pointermove', ({ buttons, pointerType, clientX, clientY }) => {
       if (buttons !== 0 || pointerType === 'touch') return;

@@ -5,9 +5,9 @@ import { button } from './controls.js';
 
 const shortcuts: readonly (readonly [string, string])[] = [
   ['Drag, or arrow keys', 'turn both meshes (when a view has the focus)'],
-  ['Wheel, or + and −', 'zoom'],
-  ['Right drag', 'move'],
-  ['0', 'show the whole mesh'],
+  ['Wheel, or + and −', 'zoom; where the page scrolls, Ctrl + wheel'],
+  ['Right drag, two fingers', 'move; two fingers zoom, too'],
+  ['0, or double tap', 'show the whole mesh'],
   ['[ and ]', 'vertex before, next vertex'],
   ['Click', 'select a vertex; pin it in Harmonic'],
   ['Enter', 'pin or unpin the selected vertex (in Harmonic, when a view has the focus)'],

@@ -1,6 +1,7 @@
 import { PerspectiveCamera, Spherical, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Camera } from '../state.js';
+import { leaveScrolling } from './host-scroll.js';
 
 /** Share of the view that a mesh fills at first. */
 const fill = 0.94;
@@ -16,6 +17,8 @@ export class LinkedCamera {
   private resting: Camera | null = null;
   /** Called when somebody has moved it and lets go. */
   onRest: (camera: Camera) => void = () => {};
+  /** Called when the wheel was left to the page. */
+  onHostWheel: (view: HTMLElement) => void = () => {};
 
   constructor(
     private readonly changed: () => void,
@@ -32,6 +35,7 @@ export class LinkedCamera {
     controls.addEventListener('start', () => this.take());
     controls.addEventListener('end', () => this.rest());
     this.controls.push(controls);
+    leaveScrolling(view, () => this.onHostWheel(view));
     view.addEventListener('keydown', (event) => this.key(event));
   }
 
@@ -56,6 +60,15 @@ export class LinkedCamera {
     const move = moves[event.key];
     if (!move) return;
     event.preventDefault();
+    this.moveBy(move);
+  }
+
+  /** Back to where all of the mesh is in view. */
+  reset(): void {
+    this.moveBy(() => this.goHome());
+  }
+
+  private moveBy(move: () => void): void {
     this.take();
     move();
     this.rest();
@@ -96,7 +109,7 @@ export class LinkedCamera {
     this.changed();
   }
 
-  goHome(): void {
+  private goHome(): void {
     if (!this.home) return;
     this.camera.position.copy(this.home.position);
     this.target.copy(this.home.target);

@@ -20,7 +20,9 @@ interface Shown {
 }
 
 /** How far from a vertex on the outline, in pixels, a click still means it. */
-const reach = 12;
+const clickReach = 12;
+/** The same of a finger: what it covers. */
+export const fingerReach = 22;
 
 /** Two views of the mesh in one canvas: one renderer, one camera, a scissored rectangle each. Draws when something changed, not otherwise. */
 export class Viewer {
@@ -198,8 +200,8 @@ export class Viewer {
     return { x: box.x + ((screen.x + 1) / 2) * box.width, y: box.y + ((1 - screen.y) / 2) * box.height, visible };
   }
 
-  /** The vertex meant by a point of the page: the nearest corner of the face seen there. */
-  pick(view: View, clientX: number, clientY: number): number | null {
+  /** The vertex meant by a point of the page: the nearest corner of the face seen there, or beside the mesh the nearest vertex within reach. */
+  pick(view: View, clientX: number, clientY: number, reach = clickReach): number | null {
     const box = this.places[view].getBoundingClientRect();
     const x = clientX - box.x;
     const y = clientY - box.y;
