@@ -58,8 +58,8 @@ export async function build(preset, targets = []) {
   await run('cmake', ['--build', '--preset', preset, '--parallel', String(availableParallelism()), ...only]);
 }
 
-/** The meshes that the page offers as files, in build/public. Needs the wasm preset. */
-export const buildGallery = () => run(process.execPath, [join(root, 'web/bunny.mjs')]);
+/** The meshes that the page offers as files, and the pictures of its gallery, in build/public. Needs the wasm preset. */
+export const buildGallery = () => run(process.execPath, [join(root, 'web/gallery.mjs')]);
 
 /** The static site in dist/. Needs the wasm preset. */
 export async function buildSite() {

@@ -1,15 +1,13 @@
-// Makes the quad bunny of the gallery from the npm package `bunny`:  node web/bunny.mjs  writes build/public/meshes/quad-bunny.obj.
+// Makes the quad bunny of the gallery from the npm package `bunny`.
 // The Stanford bunny's 3674 triangles are simplified to 2500, paired into quads, and these cut into four by Catmull and Clark's rules:
 // about 5000 vertices as in Herholz 2012, p. 31. It is closed: the package's bunny has no holes. Needs the wasm preset.
-import { mkdir, readFile, writeFile } from 'node:fs/promises';
-import { fileURLToPath, pathToFileURL } from 'node:url';
+import { readFile } from 'node:fs/promises';
 import bunny from 'bunny';
 import { MeshoptSimplifier } from 'meshoptimizer/simplifier';
 
 const triangles = 2500;
 /** In mean edge lengths; for the noisy one. */
 export const noise = { amplitude: 0.3, seed: 1 };
-const target = new URL('../build/public/meshes/quad-bunny.obj', import.meta.url);
 
 const obj = (positions, faces) =>
   [...positions.map((p) => `v ${p.join(' ')}`), ...faces.map((f) => `f ${f.map((v) => v + 1).join(' ')}`), ''].join(
@@ -39,7 +37,7 @@ export async function loadModule() {
     if (error) throw new Error(error.message);
     return ok;
   };
-  const open = (text) => get(module.open(new TextEncoder().encode(text), 'bunny.obj', false, 0, undefined));
+  const open = (text) => get(module.open(new TextEncoder().encode(text), 'mesh.obj', false, 0, undefined));
   return { module, get, open };
 }
 
@@ -54,10 +52,4 @@ export async function quadBunny({ module, get, open }) {
   const text = new TextDecoder().decode(get(sessions.at(-1).file(module.Side.a, 'obj')));
   for (const session of sessions) session.delete();
   return text.replace(/-?\d+\.\d+(e-?\d+)?/g, (number) => String(Number(Number(number).toFixed(4))));
-}
-
-if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
-  const text = await quadBunny(await loadModule());
-  await mkdir(new URL('.', target), { recursive: true });
-  await writeFile(fileURLToPath(target), text);
 }

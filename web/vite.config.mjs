@@ -5,7 +5,7 @@ import { threeParts } from './three-parts.mjs';
 export default defineConfig({
   root: fileURLToPath(new URL('.', import.meta.url)),
   base: './',
-  // What web/bunny.mjs makes.
+  // What web/gallery.mjs makes.
   publicDir: fileURLToPath(new URL('../build/public', import.meta.url)),
   plugins: [threeParts()],
   worker: { format: 'es' },

@@ -22,6 +22,9 @@ export class App {
   readonly smoothing = new Smoothing(this);
   readonly history = new History(this);
 
+  /** The vertex that faces the eye; the viewer tells. */
+  front: () => number = () => 0;
+
   /** @param client the page is there before the worker is */
   constructor(readonly client: Promise<Client>) {
     compare(this);
@@ -147,6 +150,8 @@ export class App {
     for (const side of sides)
       if (JSON.stringify(choices[side]) !== JSON.stringify(this.state.get().sides[side]))
         this.setChoice(side, choices[side]);
+    // Another operator has put away what was shown of the one before.
+    this.state.set({ mode: state.mode });
     const { moves, step } = this.state.get();
     if (step !== state.step || !sameMoves(moves, state.moves)) await this.smoothing.goTo(state.moves, state.step);
     this.answers.updateBoth();

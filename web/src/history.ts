@@ -31,6 +31,8 @@ interface Entry {
   state: State;
   /** What was changed then. */
   what: string;
+  /** Whether it was all that is on screen, task and view included. */
+  whole?: boolean;
 }
 
 /** Undo and redo, over everything that decides what is computed. */
@@ -73,6 +75,28 @@ export class History {
     this.tell();
   }
 
+  /** Whatever `work` changes is one change. */
+  async asOne(what: string, work: () => Promise<unknown>): Promise<void> {
+    const { app } = this;
+    const before = app.state.get();
+    this.travelling++;
+    try {
+      await work();
+    } finally {
+      this.travelling--;
+      this.now = app.state.get();
+      if (changes(before, this.now).length > 0) this.add({ state: before, what, whole: true });
+    }
+  }
+
+  private add(entry: Entry): void {
+    this.done.push(entry);
+    if (this.done.length > depth) this.done.shift();
+    this.undone = [];
+    this.last = { what: entry.what, at: performance.now() };
+    this.tell();
+  }
+
   private note(state: State): void {
     const before = this.now;
     this.now = state;
@@ -82,12 +106,8 @@ export class History {
     const [what] = first;
     const at = performance.now();
     const goesOn = what === this.last.what && at - this.last.at < breath && this.flows(what, before, state);
-    this.last = { what, at };
-    if (goesOn && this.done.length > 0) return;
-    this.done.push({ state: before, what });
-    if (this.done.length > depth) this.done.shift();
-    this.undone = [];
-    this.tell();
+    if (goesOn && this.done.length > 0) this.last = { what, at };
+    else this.add({ state: before, what });
   }
 
   /** Whether a quick second change goes on with the first one: a value being dragged does, another pin or mesh does not. */
@@ -103,12 +123,13 @@ export class History {
     const entry = from.pop();
     if (!entry) return;
     const here = app.state.get();
-    to.push({ state: here, what: entry.what });
+    to.push({ ...entry, state: here });
     this.travelling++;
     this.last = { what: '', at: 0 };
     this.tell();
     try {
-      if (await app.goTo({ ...here, ...decisive(entry.state) })) app.say(`${verb}: ${entry.what}.`);
+      const there = entry.whole ? { ...entry.state, theme: here.theme } : { ...here, ...decisive(entry.state) };
+      if (await app.goTo(there)) app.say(`${verb}: ${entry.what}.`);
       else {
         to.pop();
         from.push(entry);

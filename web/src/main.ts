@@ -40,6 +40,7 @@ try {
   viewer = new Viewer(canvas, views, () => {
     if (performance.getEntriesByName('polylap:first-frame').length === 0) performance.mark('polylap:first-frame');
   });
+  app.front = () => viewer?.front() ?? 0;
   bindViewer(app, viewer);
   bindInput(app, viewer, views);
 } catch {
@@ -54,7 +55,7 @@ app.results.watch(
     // After all that is asked about a new mesh in any case.
     queueMicrotask(() => {
       const { selected } = app.state.get();
-      if (mesh && app.results.get().mesh === mesh && selected === null) app.select(viewer?.front() ?? 0);
+      if (mesh && app.results.get().mesh === mesh && selected === null) app.select(app.front());
     });
   },
 );

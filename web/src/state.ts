@@ -114,6 +114,9 @@ export const presets: readonly Preset[] = [
     file: bunny,
     change: { conversion: 'noise', amplitude: 0.3, seed: 1 },
   },
+  { id: 'quad', label: 'One quad', file: 'meshes/quad.obj' },
+  { id: 'soup', label: 'Polygon soup', file: 'meshes/polygon-soup.obj' },
+  { id: 'patchwork', label: 'Patchwork sphere', file: 'meshes/patchwork.obj' },
 ];
 
 /** What the page opens with: the only place that names operators. */

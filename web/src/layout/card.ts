@@ -107,7 +107,7 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
   return { element, view };
 }
 
-function faceNames({ minCorners, maxCorners }: Mesh): [string, string] {
+export function faceNames({ minCorners, maxCorners }: Pick<Mesh, 'minCorners' | 'maxCorners'>): [string, string] {
   if (minCorners === maxCorners && minCorners === 3) return ['triangle', 'triangles'];
   if (minCorners === maxCorners && minCorners === 4) return ['quad', 'quads'];
   return ['face', 'faces'];

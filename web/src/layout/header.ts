@@ -18,7 +18,7 @@ const menuValue = (source: Source) => (source.kind === 'preset' && !source.chang
 
 export function header(
   app: App,
-  actions: Record<'open' | 'paste' | 'make' | 'share' | 'save' | 'help', () => void>,
+  actions: Record<'gallery' | 'open' | 'paste' | 'make' | 'share' | 'save' | 'help', () => void>,
 ): HTMLElement {
   const group = (label: string, entries: readonly (readonly [string, string])[]) =>
     h('optgroup', { label }, ...entries.map(([value, text]) => h('option', { value }, text)));
@@ -73,6 +73,7 @@ export function header(
   const more = h(
     'div',
     { class: 'actions', id: 'actions', popover: 'auto' },
+    button('Gallery…', actions.gallery, { 'data-action': 'gallery', title: 'Meshes and figures, with pictures' }),
     button('Make…', actions.make, { 'data-action': 'make', title: 'Shapes with parameters, and changes to the mesh' }),
     button('Open…', actions.open, { 'data-action': 'open' }),
     button('Paste…', actions.paste, { 'data-action': 'paste' }),

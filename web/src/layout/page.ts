@@ -1,6 +1,7 @@
 import type { App } from '../app.js';
 import { h, put } from '../dom.js';
 import { count } from '../format.js';
+import { explain } from '../messages.js';
 import { known } from '../results.js';
 import { type Task, type View, views } from '../state.js';
 import { card } from './card.js';
@@ -58,6 +59,7 @@ export function page(app: App, root: HTMLElement, photograph: Photographer): Pag
   const narrowTransport = h('div', { class: 'narrow-transport' }, transport(app));
   const stage = h('div', { class: 'stage' }, cards.a.element, cards.b.element, cards.delta.element, canvas);
   const masthead = header(app, {
+    gallery: () => void showGallery(),
     open: files.pick,
     paste: () => paste.showModal(),
     make: () => make.showModal(),
@@ -65,6 +67,19 @@ export function page(app: App, root: HTMLElement, photograph: Photographer): Pag
     save: () => saving.showModal(),
     help: () => help.showModal(),
   });
+  let gallery: HTMLDialogElement | null = null;
+  const showGallery = async () => {
+    try {
+      if (!gallery) {
+        const { galleryDialog } = await import('./gallery-dialog.js');
+        gallery = await galleryDialog(app);
+        root.append(gallery);
+      }
+      if (!gallery.open) gallery.showModal();
+    } catch (reason) {
+      app.results.set({ error: { title: 'The gallery cannot be shown', text: explain(reason) } });
+    }
+  };
   const leave = () => tasks.element.querySelector<HTMLElement>('[aria-selected=true]')?.focus();
   masthead.append(files.element);
   root.append(

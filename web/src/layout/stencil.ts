@@ -30,8 +30,9 @@ export function stencil(
     return [dot(d, right), -dot(d, up)] as const;
   };
   const shown = new Set([...faces.flat(), ...weights.keys()]);
-  const reach = (axis: 0 | 1) => Math.max(...[...shown].map((i) => Math.abs(flat(i)[axis])), Number.MIN_VALUE);
-  const scale = (size / 2 - margin) / Math.max(reach(0), reach(1));
+  const reach = (axis: 0 | 1) => Math.max(0, ...[...shown].map((i) => Math.abs(flat(i)[axis])));
+  const extent = Math.max(reach(0), reach(1));
+  const scale = extent > 0 ? (size / 2 - margin) / extent : 0;
   const height = 2 * (margin + scale * reach(1));
   const place = (i: number) =>
     flat(i)

@@ -1,0 +1,69 @@
+import type { App } from '../app.js';
+import { h } from '../dom.js';
+import { count, plural } from '../format.js';
+import { type Entry, type Facts, groups, stateOf } from '../gallery.js';
+import { faceNames } from './card.js';
+import { button, newId } from './controls.js';
+import '../styles/gallery.css';
+
+/**
+ * Meshes and figures to choose from, with pictures.
+ * @throws Error when what was measured of them cannot be loaded
+ */
+export async function galleryDialog(app: App): Promise<HTMLDialogElement> {
+  const url = (path: string) => new URL(path, document.baseURI).href;
+  const answer = await fetch(url('gallery/facts.json'));
+  if (!answer.ok) throw new Error(`Its list could not be loaded: the server says ${answer.status}`);
+  const facts = (await answer.json()) as Record<string, Facts>;
+  const choose = (entry: Entry) => {
+    dialog.close();
+    void app.history.asOne(entry.figure ? 'the figure' : 'the mesh', async () => {
+      if ((await app.goTo(stateOf(entry, app.state.get()))) && app.state.get().selected === null)
+        app.select(app.front());
+    });
+  };
+  const card = (entry: Entry) => {
+    const known = facts[entry.id];
+    const picture = h('img', { alt: '', width: 160, height: 112, loading: 'lazy', src: known && url(known.picture) });
+    const place = entry.place ? h('span', { class: 'place' }, entry.place) : null;
+    return h(
+      'li',
+      {},
+      h(
+        'button',
+        { type: 'button', class: 'gallery-card', 'data-entry': entry.id, onclick: () => choose(entry) },
+        picture,
+        h('span', { class: 'card-name' }, h('b', {}, entry.label), ' ', place),
+        h('span', { class: 'card-look' }, entry.look),
+        known ? h('span', { class: 'card-facts' }, ...factsOf(known)) : null,
+      ),
+    );
+  };
+  const dialog = h(
+    'dialog',
+    { class: 'dialog gallery', 'aria-labelledby': 'gallery-title' },
+    h(
+      'div',
+      { class: 'gallery-head' },
+      h('h2', { id: 'gallery-title' }, 'Gallery'),
+      button('Close', () => dialog.close()),
+    ),
+    h(
+      'div',
+      { class: 'gallery-body' },
+      ...groups.map(({ label, entries }) => {
+        const heading = h('h3', { id: newId('gallery') }, label);
+        return h('section', { 'aria-labelledby': heading.id }, heading, h('ul', {}, ...entries.map(card)));
+      }),
+    ),
+  );
+  return dialog;
+}
+
+function factsOf(facts: Facts): Node[] {
+  const [a = '–', b = '–'] = facts.negative.map((negative) => (negative === null ? '–' : count(negative)));
+  return [
+    h('span', {}, plural(facts.faces, ...faceNames(facts))),
+    h('span', {}, 'negative: A ', h('b', {}, a), ', B ', h('b', {}, b)),
+  ];
+}
