@@ -53,7 +53,7 @@ export function polygonSoup({ columns = 6, rows = 4, seed = 4 } = {}) {
       faces.push(Array.from({ length: corners }, (_, k) => points.length + k));
       for (let k = 0; k < corners; k++) {
         const angle = turn + (2 * Math.PI * (k + 0.5 * (next() - 0.5))) / corners;
-        const radius = 0.2 + 0.27 * next();
+        const radius = 0.12 + 0.35 * next();
         const [x, y] = [column + radius * Math.cos(angle), row + radius * Math.sin(angle)];
         points.push([x, y, 0.12 * Math.sin(2.1 * x) * Math.cos(2.3 * y)]);
       }

@@ -19,6 +19,8 @@ const types: Record<string, string> = {
   '.js': 'text/javascript',
   '.css': 'text/css',
   '.wasm': 'application/wasm',
+  '.svg': 'image/svg+xml',
+  '.json': 'application/json',
 };
 
 /** The page lives below a path, as it may on any host, and nothing else is there. */

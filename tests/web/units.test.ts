@@ -1,13 +1,15 @@
 /** The parts of the page that need no browser. */
 import { describe, expect, it, vi } from 'vitest';
 import { load } from '../../wasm/src/node.js';
+import type { App } from '../../web/src/app.js';
 import { boundaryPins, examplePins } from '../../web/src/boundary-pins.js';
 import { chosenRange, sharedRange } from '../../web/src/colouring.js';
 import { count, exact, real, weight } from '../../web/src/format.js';
 import { latest } from '../../web/src/latest.js';
 import { drawnPairs } from '../../web/src/layout/weights-panel.js';
 import { countFaces, formatOfText } from '../../web/src/mesh-text.js';
-import { explain } from '../../web/src/messages.js';
+import { Meshes } from '../../web/src/meshes.js';
+import { describe as describeMesh, explain } from '../../web/src/messages.js';
 import { type Mesh, PolylapError } from '../../web/src/polylap.js';
 import { freshSide } from '../../web/src/results.js';
 import { sparseRow } from '../../web/src/sparse-row.js';
@@ -295,5 +297,27 @@ describe('mesh files', () => {
       counts.setInt32(4, 98, little);
       expect(await countFaces(new Blob(['OFF BINARY\n', counts]), 'a.off')).toBe(98);
     }
+  });
+});
+
+describe('large meshes', () => {
+  const mesh = (faces: number) => ({ vertices: faces + 2, faces, issues: [] }) as unknown as Mesh;
+
+  it('are taken with a warning from 200 000 faces on', () => {
+    expect(describeMesh(mesh(200_000), 'a.obj')).not.toContain('large');
+    expect(describeMesh(mesh(200_001), 'a.obj')).toContain('200\u202f001\u00a0faces. A large mesh');
+  });
+
+  it.each([
+    [201e6, '', /201 MB; this page takes up to 200 MB/],
+    [1000, 'OFF 9 1000001 9', /1\u202f000\u202f001\u00a0faces; this page takes up to 1\u202f000\u202f000/],
+  ])('are refused beyond what the page takes, unread: %i bytes, %j', async (size, head, why) => {
+    const said: object[] = [];
+    const app = { results: { set: (patch: object) => said.push(patch) } } as unknown as App;
+    const blob = { size, slice: () => new Blob([head]) } as unknown as Blob;
+    const refused = await new Meshes(app).open(blob, 'a.off');
+    expect(refused?.title).toBe('a.off is too large');
+    expect(refused?.text).toMatch(why);
+    expect(said).toEqual([{ error: refused, notice: 'a.off is too large' }]);
   });
 });
