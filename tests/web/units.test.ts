@@ -2,6 +2,7 @@
 import { describe, expect, it, vi } from 'vitest';
 import { load } from '../../wasm/src/node.js';
 import type { App } from '../../web/src/app.js';
+import { boundaryLoops, type Loop } from '../../web/src/boundary-loops.js';
 import { boundaryPins, examplePins } from '../../web/src/boundary-pins.js';
 import { chosenRange, sharedRange } from '../../web/src/colouring.js';
 import { count, exact, real, weight } from '../../web/src/format.js';
@@ -229,12 +230,56 @@ describe('meshes and matrices', () => {
 
   it('pins a boundary to x² − y² within [-1, 1]', async () => {
     const { mesh } = await grid();
-    const pins = boundaryPins(mesh, 'x2-y2', 7);
+    const pins = boundaryPins(mesh, boundaryLoops(mesh), 'x2-y2', 7);
     const at = new Map(pins.map(({ vertex, value }) => [vertex, value]));
     expect(pins).toHaveLength(32);
     expect([at.get(0), at.get(4), at.get(36), at.get(1)]).toEqual([0, -1, 1, 0.5625 - 1]);
-    expect(boundaryPins(mesh, 'value', 7).every(({ value }) => value === 7)).toBe(true);
-    expect(boundaryPins(mesh, 'corner', 7).filter(({ value }) => value === 1)).toEqual([{ vertex: 80, value: 1 }]);
+    const ones = (preset: string) =>
+      boundaryPins(mesh, boundaryLoops(mesh), preset, 7).filter(({ value }) => value === 1);
+    expect(boundaryPins(mesh, boundaryLoops(mesh), 'value', 7).every(({ value }) => value === 7)).toBe(true);
+    expect(ones('corner')).toEqual([{ vertex: 80, value: 1 }]);
+    expect(ones('side').map(({ vertex }) => vertex)).toEqual([80, 79, 78, 77, 76, 75, 74, 73, 72]);
+  });
+
+  it('finds the loops of a boundary, and their corners', async () => {
+    const { mesh } = await grid();
+    const [square] = boundaryLoops(mesh);
+    expect(square?.vertices).toHaveLength(32);
+    expect(square?.corners.map((k) => square.vertices[k]).sort((i, j) => (i ?? 0) - (j ?? 0))).toEqual([0, 8, 72, 80]);
+    // A ring of eight quads whose faces disagree on the direction: an outer loop and a shorter inner one, without corners.
+    const sides = 24;
+    const positions = Array.from({ length: 2 * sides }, (_, k) => {
+      const angle = (2 * Math.PI * (k % sides)) / sides;
+      const radius = k < sides ? 1 : 2;
+      return [radius * Math.cos(angle), radius * Math.sin(angle), 0];
+    });
+    const faces = Array.from({ length: sides }, (_, k) => {
+      const next = (k + 1) % sides;
+      const face = [k, next, sides + next, sides + k];
+      return k % 3 === 0 ? face.reverse() : face;
+    });
+    const ring = {
+      boundary: Int32Array.from(positions.keys()),
+      geometry: {
+        positions: Float32Array.from(positions.flat()),
+        offsets: Int32Array.from({ length: sides + 1 }, (_, k) => 4 * k),
+        corners: Int32Array.from(faces.flat()),
+      } as unknown as Mesh['geometry'],
+    };
+    const [outer, inner, ...rest] = boundaryLoops(ring);
+    expect(rest).toEqual([]);
+    const sorted = (loop?: readonly number[]) => [...(loop ?? [])].sort((i, j) => i - j);
+    expect(sorted(outer?.vertices)).toEqual(Array.from({ length: sides }, (_, k) => sides + k));
+    expect(sorted(inner?.vertices)).toEqual(Array.from({ length: sides }, (_, k) => k));
+    for (const { vertices } of [outer, inner] as Loop[])
+      vertices.forEach((vertex, k) => {
+        const step = Math.abs(vertex - (vertices[(k + 1) % sides] as number));
+        expect([1, sides - 1]).toContain(step);
+      });
+    expect(outer?.corners).toEqual([]);
+    // A quarter of the way round: six of the 24 edges.
+    const side = boundaryPins(ring, [outer as Loop], 'side', 0).filter(({ value }) => value === 1);
+    expect(side).toHaveLength(7);
   });
 
   it('finds two vertices far apart', async () => {

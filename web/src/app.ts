@@ -93,6 +93,14 @@ export class App {
     for (const side of sides) this.answers.harmonic(side);
   }
 
+  /** Takes a pin to another vertex. @returns whether that one is free */
+  movePin(from: number, to: number): boolean {
+    const { pins } = this.state.get().harmonic;
+    if (pins.some(({ vertex }) => vertex === to)) return false;
+    this.setPins(pins.map((pin) => (pin.vertex === from ? { ...pin, vertex: to } : pin)));
+    return true;
+  }
+
   setDual(patch: Partial<State['dual']>): void {
     this.state.set({ dual: { ...this.state.get().dual, ...patch } });
     if ('mu' in patch) this.answers.updateBoth();

@@ -1,8 +1,9 @@
 import type { App } from './app.js';
-import { colouring } from './colouring.js';
+import { colouring, outsideOf } from './colouring.js';
 import { isTyping } from './dom.js';
 import type { Geometry, Side } from './polylap.js';
 import { known } from './results.js';
+import { Outside } from './scene/data-texture.js';
 import { wheelHint } from './scene/host-scroll.js';
 import { chain, dualLayers, negativeLines, weightCircles } from './scene/layers.js';
 import { Mark } from './scene/markers.js';
@@ -75,7 +76,13 @@ export function bindViewer(app: App, viewer: Viewer): void {
   const showValues = () => {
     const shown = colouring(app.state.get(), app.results.get());
     for (const side of sides)
-      viewer.setValues(side, shown?.values[side] ?? null, shown?.range ?? null, shown?.map ?? 'viridis');
+      viewer.setValues(
+        side,
+        shown?.values[side] ?? null,
+        shown?.range ?? null,
+        shown?.map ?? 'viridis',
+        shown?.outside[side],
+      );
   };
   app.results.watch(({ a, b, mesh }) => [a.harmonic, b.harmonic, a.check, b.check, mesh], showValues);
   app.state.watch((state) => [state.task, state.mode, state.colours], showValues);
@@ -116,24 +123,22 @@ export function bindViewer(app: App, viewer: Viewer): void {
     const pins = task === 'harmonic' ? harmonic.pins : [];
     for (const side of views) {
       const own = side === 'delta' ? null : known(results[side].harmonic);
-      const outside = task === 'harmonic' && own ? own.outside : [];
+      const outside = task === 'harmonic' && own ? outsideOf(own) : [];
+      const beyond = (where: Outside) => outside.flatMap(([vertex, side]) => (side === where ? [vertex] : []));
       viewer.setMarks(side, [
         { mark: Mark.hovered, vertices: results.hovered === null ? [] : [results.hovered] },
         {
           mark: Mark.selected,
           vertices: results.place?.side === side ? results.place.vertices : selected === null ? [] : [selected],
         },
-        { mark: Mark.outside, vertices: outside },
+        { mark: Mark.below, vertices: beyond(Outside.below) },
+        { mark: Mark.above, vertices: beyond(Outside.above) },
         { mark: Mark.pin, vertices: pins.map((pin) => pin.vertex) },
       ]);
     }
   };
   app.results.watch(({ a, b, hovered, place, mesh }) => [a.harmonic, b.harmonic, hovered, place, mesh], showMarks);
   app.state.watch((state) => [state.task, state.selected, state.harmonic.pins], showMarks);
-  app.state.watch(
-    (state) => [state.task, state.harmonic.pins],
-    (task, { length }) => viewer.setLabels(task === 'harmonic' && length > 0 ? app.state.get().harmonic.pins : []),
-  );
 
   const recolour = () => viewer.recolour();
   app.state.watch((state) => [state.theme], recolour);

@@ -1,22 +1,38 @@
+import { type Loop, sideFrom } from './boundary-loops.js';
 import type { Mesh } from './polylap.js';
 import type { Pin } from './state.js';
 
 type Point = readonly [number, number, number];
 
-/** Ways to pin the whole boundary. Coordinates count from the middle of the bounding box, in half its largest extent: within [-1, 1]. */
+/** Ways to pin the boundary. Coordinates count from the middle of the bounding box, in half its largest extent: within [-1, 1]. */
 export const boundaryPresets: readonly {
   id: string;
   label: string;
-  value: (at: Point, pinned: number, isCorner: boolean) => number;
+  /** @param chosen of the vertices that are singled out, if any are */
+  value: (at: Point, pinned: number, chosen: boolean) => number;
+  /** The vertices that are 1 where others are 0. */
+  choose?: (loop: Loop, corner: number, positions: Float32Array) => readonly number[];
 }[] = [
   { id: 'value', label: 'constant', value: (_, pinned) => pinned },
   { id: 'x', label: 'x', value: ([x]) => x },
   { id: 'y', label: 'y', value: ([, y]) => y },
   { id: 'x2-y2', label: 'x² − y²', value: ([x, y]) => x * x - y * y },
-  { id: 'corner', label: 'one corner 1', value: (_at, _pinned, isCorner) => (isCorner ? 1 : 0) },
+  {
+    id: 'corner',
+    label: 'one corner 1',
+    value: (_at, _pinned, chosen) => Number(chosen),
+    choose: (_, corner) => [corner],
+  },
+  { id: 'side', label: 'one side 1', value: (_at, _pinned, chosen) => Number(chosen), choose: sideFrom },
 ];
 
-export function boundaryPins({ boundary, geometry: { positions } }: Mesh, preset: string, pinned: number): Pin[] {
+/** Pins for all vertices of some loops of a mesh. */
+export function boundaryPins(
+  { geometry: { positions } }: Pick<Mesh, 'geometry'>,
+  loops: readonly Loop[],
+  preset: string,
+  pinned: number,
+): Pin[] {
   const rule = boundaryPresets.find(({ id }) => id === preset);
   if (!rule) return [];
   let extent = 0;
@@ -25,16 +41,20 @@ export function boundaryPins({ boundary, geometry: { positions } }: Mesh, preset
     [positions[3 * vertex] as number, positions[3 * vertex + 1] as number, positions[3 * vertex + 2] as number].map(
       (c) => c / (extent || 1),
     ) as unknown as Point;
-  // The vertex farthest out along (1, 1): a corner of a grid.
-  let corner = -1;
-  let farthest = -Infinity;
-  for (const vertex of boundary) {
-    const [x, y] = at(vertex);
-    if (x + y > farthest) [corner, farthest] = [vertex, x + y];
+  // The corner, or without corners the vertex, farthest out along (1, 1).
+  let first: { loop: Loop; vertex: number; along: number } | null = null;
+  for (const loop of loops) {
+    const corners = loop.corners.map((k) => loop.vertices[k] as number);
+    for (const vertex of corners.length > 0 ? corners : loop.vertices) {
+      const [x, y] = at(vertex);
+      if (!first || x + y > first.along) first = { loop, vertex, along: x + y };
+    }
   }
-  return Array.from(boundary, (vertex) => ({
+  const chosen = new Set(first ? rule.choose?.(first.loop, first.vertex, positions) : []);
+  const vertices = new Set(loops.flatMap((loop) => loop.vertices));
+  return Array.from(vertices, (vertex) => ({
     vertex,
-    value: rounded(rule.value(at(vertex), pinned, vertex === corner)),
+    value: rounded(rule.value(at(vertex), pinned, chosen.has(vertex))),
   }));
 }
 

@@ -1,7 +1,8 @@
 /** Which values colour the two surfaces, and how: the views and the legend show the same. */
 import type { ColourMap } from './colour-maps.js';
-import type { Side } from './polylap.js';
+import type { Harmonic, Side } from './polylap.js';
 import { known, type Results } from './results.js';
+import { Outside } from './scene/data-texture.js';
 import type { State } from './state.js';
 
 export interface Range {
@@ -15,6 +16,22 @@ export interface Colouring {
   map: ColourMap;
   range: Range;
   values: Record<Side, Float64Array | null>;
+  /** Vertices that leave the range of the pins, and where to. */
+  outside: Record<Side, readonly (readonly [vertex: number, side: Outside])[]>;
+}
+
+const nowhere = { a: [], b: [] };
+
+/** How large the values of a harmonic function are: what is tiny beside it is rounding. */
+export const sizeOf = ({ fixedMin, fixedMax, min, max }: Harmonic): number =>
+  Math.max(...[fixedMin, fixedMax, min, max].map(Math.abs));
+
+/** Where the maximum principle fails: which vertices lie below what was pinned, which above. */
+export function outsideOf({ outside, values, fixedMax }: Harmonic): (readonly [number, Outside])[] {
+  return Array.from(outside, (vertex) => [
+    vertex,
+    (values[vertex] as number) > fixedMax ? Outside.above : Outside.below,
+  ]);
 }
 
 /** null when there is nothing to colour. */
@@ -23,7 +40,18 @@ export function colouring(state: Pick<State, 'task' | 'mode' | 'colours'>, resul
     const shared = sharedRange(results);
     const range = shared && chosenRange(shared, state.colours);
     const values = (side: Side) => known(results[side].harmonic)?.values ?? null;
-    return range && { map: state.colours.map, range, values: { a: values('a'), b: values('b') } };
+    const outside = (side: Side) => {
+      const own = known(results[side].harmonic);
+      return own ? outsideOf(own) : [];
+    };
+    return (
+      range && {
+        map: state.colours.map,
+        range,
+        values: { a: values('a'), b: values('b') },
+        outside: { a: outside('a'), b: outside('b') },
+      }
+    );
   }
   if (state.task !== 'check') return null;
   const mode = (side: Side) => known(results[side].check)?.kernelModes[state.mode[side] ?? -1] ?? null;
@@ -31,7 +59,9 @@ export function colouring(state: Pick<State, 'task' | 'mode' | 'colours'>, resul
   // Zero in the middle; one range for both sides.
   let reach = 0;
   for (const value of [...(values.a ?? []), ...(values.b ?? [])]) reach = Math.max(reach, Math.abs(value));
-  return reach > 0 ? { map: 'red-blue', range: { min: -reach, max: reach, single: null }, values } : null;
+  return reach > 0
+    ? { map: 'red-blue', range: { min: -reach, max: reach, single: null }, values, outside: nowhere }
+    : null;
 }
 
 /** The range that is kept, if one is, or the values' own. */

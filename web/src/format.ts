@@ -38,6 +38,12 @@ export function exact(value: number): string {
   return fitting(text, 6, exactRoom);
 }
 
+/** Beside numbers of a size, what is smaller by this is left over from rounding. */
+const rounding = 1e-12;
+
+/** 0 where only rounding keeps a value from it. */
+export const cleared = (value: number, size: number): number => (Math.abs(value) <= rounding * size ? 0 : value);
+
 /** A signed weight: decimals that line up, as long as they show it. */
 export function weight(value: number): string {
   const size = Math.abs(value);

@@ -42,6 +42,8 @@ export class History {
   private now: State;
   private last = { what: '', at: 0 };
   private travelling = 0;
+  /** While something is dragged: how many changes there were before. */
+  private held: number | null = null;
 
   constructor(private readonly app: App) {
     this.now = app.state.get();
@@ -97,6 +99,22 @@ export class History {
     this.tell();
   }
 
+  /** From now on all changes are one, until they are let go. */
+  hold(): void {
+    this.last = { what: '', at: 0 };
+    this.held = this.done.length;
+  }
+
+  /** What came to nothing leaves no trace. */
+  release(): void {
+    const began = this.held !== null ? this.done[this.held] : undefined;
+    this.held = null;
+    this.last = { what: '', at: 0 };
+    if (!began || changes(began.state, this.now).length > 0) return;
+    this.done.pop();
+    this.tell();
+  }
+
   private note(state: State): void {
     const before = this.now;
     this.now = state;
@@ -105,7 +123,9 @@ export class History {
     if (!first) return;
     const [what] = first;
     const at = performance.now();
-    const goesOn = what === this.last.what && at - this.last.at < breath && this.flows(what, before, state);
+    const goesOn =
+      what === this.last.what &&
+      (this.held !== null || (at - this.last.at < breath && this.flows(what, before, state)));
     if (goesOn && this.done.length > 0) this.last = { what, at };
     else this.add({ state: before, what });
   }

@@ -1,4 +1,5 @@
 import { App } from './app.js';
+import { bindPins } from './bind-pins.js';
 import { bindInput, bindKeys, bindViewer } from './bind-viewer.js';
 import { h } from './dom.js';
 import { page } from './layout/page.js';
@@ -43,6 +44,7 @@ try {
   app.front = () => viewer?.front() ?? 0;
   bindViewer(app, viewer);
   bindInput(app, viewer, views);
+  bindPins(app, viewer, views);
 } catch {
   void ready.then(() =>
     tell('This browser shows no WebGL, so the meshes cannot be drawn. All numbers are right without it.'),

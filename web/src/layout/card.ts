@@ -1,7 +1,10 @@
 import type { App } from '../app.js';
+import { outsideOf, sizeOf } from '../colouring.js';
 import { h, put } from '../dom.js';
-import { count, exact, plural, real } from '../format.js';
+import { cleared, count, exact, plural, real } from '../format.js';
 import { type Mesh, operators, type Side } from '../polylap.js';
+import { known } from '../results.js';
+import { Outside } from '../scene/data-texture.js';
 import { initialChoice, operatorOf } from '../state.js';
 import { button, menu } from './controls.js';
 import { formulaParts } from './formula.js';
@@ -32,7 +35,8 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
     'aria-roledescription': '3D view',
     'data-view': side,
   });
-  const at = h('p', { class: 'view-caption', 'data-readout': 'vertex' });
+  const at = h('span', { 'data-readout': 'vertex' });
+  const outside = h('span', { class: 'outside', 'data-readout': 'card-outside' });
   const figures = h('p', { class: 'figures' });
   const element = h(
     'section',
@@ -40,7 +44,7 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
     h('header', { class: 'card-head' }, h('span', { class: 'badge', 'aria-hidden': 'true' }, letter), choose, formula),
     h('div', { class: 'count' }, loud, h('p', { class: 'count-text' }, caption, share), again),
     view,
-    at,
+    h('p', { class: 'view-caption' }, at, outside),
     h('footer', { class: 'card-foot' }, parameterControls(app, side), figures),
   );
 
@@ -61,12 +65,12 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
     (results) => [results[side].weights],
     (weights) => {
       const failed = typeof weights === 'string';
-      const known = weights !== null && !failed;
-      put(loud, known ? count(weights.negativeOrdered) : '–', known ? weights.negativeOrdered : null);
-      loud.classList.toggle('negative', known && weights.negativeOrdered > 0);
+      const there = weights !== null && !failed;
+      put(loud, there ? count(weights.negativeOrdered) : '–', there ? weights.negativeOrdered : null);
+      loud.classList.toggle('negative', there && weights.negativeOrdered > 0);
       caption.textContent =
-        known && weights.negativeOrdered === 1 ? 'negative weight' : failed ? 'no weights' : 'negative weights';
-      share.textContent = known ? `of ${count(weights.nonzeroOrdered)} off-diagonal pairs` : failed ? weights : ' ';
+        there && weights.negativeOrdered === 1 ? 'negative weight' : failed ? 'no weights' : 'negative weights';
+      share.textContent = there ? `of ${count(weights.nonzeroOrdered)} off-diagonal pairs` : failed ? weights : ' ';
       share.title = share.textContent;
       again.hidden = !failed;
     },
@@ -96,12 +100,26 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
     const { selected, task } = app.state.get();
     const vertex = results.hovered ?? selected;
     const { harmonic } = results[side];
-    const value =
-      vertex !== null && task === 'harmonic' && harmonic && typeof harmonic !== 'string'
-        ? harmonic.values[vertex]
-        : undefined;
-    put(at, vertex === null ? '' : `vertex ${vertex}${value === undefined ? '' : `: ${exact(value)}`}`, value);
+    const shown = task === 'harmonic' ? known(harmonic) : null;
+    const value = shown?.values[vertex ?? -1];
+    const text = shown && value !== undefined ? `: ${exact(cleared(value, sizeOf(shown)))}` : '';
+    put(at, vertex === null ? '' : `vertex ${vertex}${text}`, value);
   };
+  const showOutside = () => {
+    const shown = app.state.get().task === 'harmonic' ? known(app.results.get()[side].harmonic) : null;
+    const leaving = shown ? outsideOf(shown) : [];
+    const above = leaving.filter(([, where]) => where === Outside.above).length;
+    const below = leaving.length - above;
+    const texts = shown
+      ? [
+          below > 0 && `${count(below)} below ${exact(shown.fixedMin)}`,
+          above > 0 && `${count(above)} above ${exact(shown.fixedMax)}`,
+        ]
+      : [];
+    put(outside, texts.filter(Boolean).join(' · '), shown ? leaving.length : null);
+  };
+  app.results.watch((results) => [results[side].harmonic], showOutside);
+  app.state.watch((state) => [state.task], showOutside);
   app.results.watch((results) => [results.hovered, results[side].harmonic], showVertex);
   app.state.watch((state) => [state.selected, state.task], showVertex);
   return { element, view };

@@ -11,6 +11,8 @@ const shortcuts: readonly (readonly [string, string])[] = [
   ['[ and ]', 'vertex before, next vertex'],
   ['Click', 'select a vertex; pin it in Harmonic'],
   ['Enter', 'pin or unpin the selected vertex (in Harmonic, when a view has the focus)'],
+  ['Drag a label, or arrow keys on it', 'take a pin to another vertex; Enter opens its value, Delete removes it'],
+  ['Page Up, Page Down', 'from label to label'],
   ['Space', 'play or pause (in Smooth, when a view has the focus)'],
   ['Ctrl Z, Ctrl Shift Z', 'undo, redo: everything that changes a result'],
   ['Ctrl V', 'open the text of an OBJ, OFF, PLY or STL file from the clipboard'],

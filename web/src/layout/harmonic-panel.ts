@@ -1,8 +1,10 @@
 import type { App } from '../app.js';
+import { boundaryLoops, type Loop } from '../boundary-loops.js';
 import { boundaryPins, boundaryPresets, examplePins } from '../boundary-pins.js';
+import { sizeOf } from '../colouring.js';
 import { h, put } from '../dom.js';
-import { count, exact, plural } from '../format.js';
-import type { Harmonic } from '../polylap.js';
+import { cleared, count, exact, plural } from '../format.js';
+import type { Harmonic, Mesh } from '../polylap.js';
 import { sides } from '../state.js';
 import { coloursSection } from './colours-section.js';
 import { button, menu, numberField } from './controls.js';
@@ -30,14 +32,12 @@ export function harmonicPanel(app: App): HTMLElement {
     boundaryPresets.map(({ id, label }) => [id, label] as const),
     () => {},
   );
-  const pinBoundary = button(
-    'Pin all',
-    () => {
-      const { mesh } = app.results.get();
-      if (mesh) app.setPins(boundaryPins(mesh, preset.value, app.state.get().harmonic.value));
-    },
-    { 'data-action': 'pin-boundary', 'aria-label': 'Pin all of the boundary' },
-  );
+  let loops: readonly Loop[] = [];
+  /** Of which they are. */
+  let loopsOf: Mesh | null = null;
+  const loopMenu = menu('Loop of the boundary', [], () => nameLoop());
+  const loopLine = h('div', { class: 'line' }, h('span', { class: 'line-name' }, 'Loop'), loopMenu);
+  const pinBoundary = button('Pin', () => pinLoops(), { 'data-action': 'pin-boundary' });
   const clear = button('Clear', () => clearPins(), { 'data-action': 'clear-pins' });
   const example = button(
     'Two pins, 0 and 1',
@@ -53,7 +53,7 @@ export function harmonicPanel(app: App): HTMLElement {
       { id: 'value', name: 'at the vertex' },
       { id: 'min', name: 'smallest' },
       { id: 'max', name: 'largest' },
-      { id: 'outside', name: 'outside ×' },
+      { id: 'outside', name: 'out of range' },
     ],
     'figures6',
   );
@@ -71,6 +71,7 @@ export function harmonicPanel(app: App): HTMLElement {
       {},
       h('h2', {}, 'Pin values'),
       h('div', { class: 'line' }, h('span', { class: 'line-name' }, 'Click to pin'), value.element, ...quick),
+      loopLine,
       h('div', { class: 'line' }, h('span', { class: 'line-name' }, 'Boundary'), preset, pinBoundary),
       noBoundary,
       h('div', { class: 'line' }, example, clear),
@@ -79,6 +80,25 @@ export function harmonicPanel(app: App): HTMLElement {
     coloursSection(app),
     h('section', {}, listTitle, list),
   );
+
+  function nameLoop(): void {
+    const which = loopMenu.value === '' ? 'all of the boundary' : `loop ${Number(loopMenu.value) + 1} of the boundary`;
+    pinBoundary.setAttribute('aria-label', `Pin ${which}`);
+  }
+
+  /** All of the boundary and nothing else, or one loop beside what is pinned elsewhere. */
+  function pinLoops(): void {
+    const { mesh } = app.results.get();
+    if (!mesh) return;
+    const { pins, value } = app.state.get().harmonic;
+    const loop = loops[Number(loopMenu.value)];
+    if (loopMenu.value === '' || !loop) {
+      app.setPins(boundaryPins(mesh, loops, preset.value, value));
+      return;
+    }
+    const own = new Set(loop.vertices);
+    app.setPins([...pins.filter(({ vertex }) => !own.has(vertex)), ...boundaryPins(mesh, [loop], preset.value, value)]);
+  }
 
   function clearPins(): void {
     app.setPins([]);
@@ -101,8 +121,29 @@ export function harmonicPanel(app: App): HTMLElement {
 
   app.state.watch(
     (state) => [state.harmonic.value],
-    (next) => value.set(next),
+    (next) => {
+      value.set(next);
+      const [constant] = preset.options;
+      if (constant) constant.textContent = `constant ${exact(next)}`;
+    },
   );
+  const showLoops = () => {
+    const { mesh } = app.results.get();
+    if (app.state.get().task !== 'harmonic' || loopsOf === mesh) return;
+    loopsOf = mesh;
+    loops = mesh ? boundaryLoops(mesh) : [];
+    const several = loops.length > 1;
+    loopLine.hidden = !several;
+    loopMenu.replaceChildren(
+      h('option', { value: '' }, `all ${count(loops.length)} loops`),
+      ...(several ? loops.slice(0, listed) : []).map(({ vertices }, k) =>
+        h('option', { value: k }, `loop ${k + 1}, ${plural(vertices.length, 'vertex', 'vertices')}`),
+      ),
+    );
+    nameLoop();
+  };
+  app.state.watch((state) => [state.task], showLoops);
+  app.results.watch((results) => [results.mesh], showLoops);
   app.results.watch(
     (results) => [results.mesh],
     (mesh) => {
@@ -154,9 +195,11 @@ export function harmonicPanel(app: App): HTMLElement {
       const { harmonic } = results[side];
       const known = harmonic !== null && typeof harmonic !== 'string' ? harmonic : null;
       const at = vertex === null ? undefined : known?.values[vertex];
-      readouts.set('value', side, at === undefined ? { text: '–' } : { text: exact(at), value: at });
-      readouts.set('min', side, known ? { text: exact(known.min), value: known.min } : { text: '–' });
-      readouts.set('max', side, known ? { text: exact(known.max), value: known.max } : { text: '–' });
+      const read = (value: number | undefined) =>
+        known && value !== undefined ? { text: exact(cleared(value, sizeOf(known))), value } : { text: '–' };
+      readouts.set('value', side, read(at));
+      readouts.set('min', side, read(known?.min));
+      readouts.set('max', side, read(known?.max));
       readouts.set(
         'outside',
         side,

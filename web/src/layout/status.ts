@@ -1,7 +1,7 @@
 import type { App } from '../app.js';
 import { colouring } from '../colouring.js';
 import { h, put } from '../dom.js';
-import { count, exact } from '../format.js';
+import { cleared, count, exact } from '../format.js';
 import { button } from './controls.js';
 import { ramp } from './ramp.js';
 
@@ -65,7 +65,14 @@ function legend(app: App): HTMLElement {
   const low = h('output', { 'data-readout': 'range-min' });
   const high = h('output', { 'data-readout': 'range-max' });
   const strip = ramp();
-  const outside = h('span', { class: 'legend-outside' }, '× outside');
+  const hatch = (side: string, text: string) =>
+    h('span', {}, h('span', { class: `hatch ${side}`, 'aria-hidden': 'true' }), text);
+  const outside = h(
+    'span',
+    { class: 'legend-outside', title: 'Around vertices whose value leaves the range of the pins' },
+    hatch('below', 'below'),
+    hatch('above', 'above the pins'),
+  );
   const values = h(
     'span',
     { class: 'legend-values', role: 'group', 'aria-label': 'Colours of A and B' },
@@ -86,6 +93,7 @@ function legend(app: App): HTMLElement {
     values.hidden = coloured === null;
     if (!coloured) return;
     const { range, map } = coloured;
+    const size = Math.max(Math.abs(range.min), Math.abs(range.max));
     const single = range.single !== null;
     values.classList.toggle('single', single);
     strip.paint(map, single);
@@ -95,8 +103,8 @@ function legend(app: App): HTMLElement {
       put(low, `${exact(range.single)} everywhere`, range.single);
       return;
     }
-    put(low, exact(range.min), range.min);
-    put(high, exact(range.max), range.max);
+    put(low, exact(cleared(range.min, size)), range.min);
+    put(high, exact(cleared(range.max, size)), range.max);
   };
   app.results.watch(({ a, b }) => [a.harmonic, b.harmonic, a.check, b.check], show);
   app.state.watch((state) => [state.task, state.mode, state.colours], show);

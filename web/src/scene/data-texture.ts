@@ -1,4 +1,4 @@
-import { DataTexture, FloatType, IntType, NearestFilter, RedFormat, RGBAFormat, RGBAIntegerFormat } from 'three';
+import { DataTexture, FloatType, IntType, NearestFilter, RGBAFormat, RGBAIntegerFormat, RGFormat } from 'three';
 
 /** Arrays too long for a uniform live in textures of this width; texel i is at (i % width, i / width). */
 export const textureWidth = 2048;
@@ -31,21 +31,32 @@ export class VectorTexture {
 /** Stands for "no value": NaN does not survive every driver. */
 export const noValue = 3e38;
 
-export class ScalarTexture {
+/** How a value stands to the range it should be in. */
+export enum Outside {
+  below = -1,
+  above = 1,
+}
+
+/** Two floats a texel: a value, and how it stands to its range. */
+export class ValueTexture {
   readonly texture: DataTexture;
   private readonly data: Float32Array;
 
   constructor(count: number) {
-    this.data = new Float32Array(rowsFor(count) * textureWidth).fill(noValue);
-    this.texture = new DataTexture(this.data, textureWidth, rowsFor(count), RedFormat, FloatType);
-    this.texture.needsUpdate = true;
+    this.data = new Float32Array(rowsFor(count) * textureWidth * 2);
+    this.texture = new DataTexture(this.data, textureWidth, rowsFor(count), RGFormat, FloatType);
+    this.update(null, []);
   }
 
-  update(values: Float64Array | null): void {
-    if (values === null) this.data.fill(noValue);
-    else
-      for (let i = 0; i < values.length; i++)
-        this.data[i] = Number.isFinite(values[i]) ? (values[i] as number) : noValue;
+  /** @param outside vertices beyond the range, and on which side each is */
+  update(values: Float64Array | null, outside: Iterable<readonly [vertex: number, side: Outside]>): void {
+    const { data } = this;
+    data.fill(0);
+    for (let i = 0; i < data.length / 2; i++) {
+      const value = values?.[i];
+      data[2 * i] = value !== undefined && Number.isFinite(value) ? value : noValue;
+    }
+    for (const [vertex, side] of outside) data[2 * vertex + 1] = side;
     this.texture.needsUpdate = true;
   }
 }

@@ -1,30 +1,62 @@
 import type { Camera, Vector3 } from 'three';
 import { h } from '../dom.js';
-import { exact } from '../format.js';
-import type { Pin } from '../state.js';
 
 /** More labels than this would cover the mesh. */
-const labelLimit = 40;
-const labelHeight = 20;
+export const labelLimit = 40;
+const labelHeight = 24;
 /** Ray tests per label and frame that stay unnoticed. */
 const testLimit = 3_000_000;
 
-/** The values of pins, as text over a view; hidden where the surface hides the vertex or another label is in the way. */
+export interface Label {
+  vertex: number;
+  /** Holds one control, which is what takes the focus. */
+  element: HTMLElement;
+}
+
+/**
+ * Small controls beside vertices; out of sight where the surface hides the vertex or another label is in the way, except for the one in use.
+ * One stop of the Tab key; Page Up and Page Down go from one to the next.
+ */
 export class Labels {
-  private readonly layer = h('div', { class: 'pin-labels', 'aria-hidden': 'true' });
-  private shown: { pin: Pin; element: HTMLElement; width: number }[] = [];
+  private readonly layer = h('div', { class: 'labels' });
+  private readonly groups = new Map<string, readonly Label[]>();
+  private stop: HTMLElement | null = null;
 
   constructor(view: HTMLElement) {
     view.append(this.layer);
+    this.layer.addEventListener('focusin', ({ target }) => this.stopAt(target as HTMLElement));
+    this.layer.addEventListener('keydown', (event) => {
+      const by = { PageDown: 1, PageUp: -1 }[event.key];
+      if (by === undefined) return;
+      event.preventDefault();
+      const seen = this.controls().filter(({ element }) => !element.classList.contains('unplaced'));
+      const at = seen.findIndex(({ element }) => element.contains(event.target as Node));
+      seen[(at + by + seen.length) % seen.length]?.control.focus();
+    });
   }
 
-  set(pins: readonly Pin[]): void {
-    this.layer.replaceChildren();
-    this.shown = pins.slice(0, labelLimit).map((pin) => {
-      const element = h('span', { class: 'pin-label' }, exact(Number(pin.value.toPrecision(3))));
-      this.layer.append(element);
-      return { pin, element, width: 0 };
+  set(group: string, labels: readonly Label[]): void {
+    const before = this.groups.get(group) ?? [];
+    this.groups.set(group, labels);
+    const wanted = new Set(labels.map(({ element }) => element));
+    for (const { element } of before) if (!wanted.has(element)) element.remove();
+    for (const { element } of labels) if (!element.isConnected) this.layer.append(element);
+  }
+
+  private all(): readonly Label[] {
+    return [...this.groups.values()].flat();
+  }
+
+  private controls(): { element: HTMLElement; control: HTMLElement }[] {
+    return this.all().flatMap(({ element }) => {
+      const control = element.querySelector<HTMLElement>('button, [tabindex]');
+      return control ? [{ element, control }] : [];
     });
+  }
+
+  private stopAt(control: HTMLElement | null): void {
+    this.stop = control;
+    for (const each of this.controls()) each.control.tabIndex = each.control === control ? 0 : -1;
   }
 
   place(
@@ -36,41 +68,46 @@ export class Labels {
     width: number,
     height: number,
   ): void {
-    if (this.shown.length === 0) return;
+    const labels = this.all();
+    if (labels.length === 0) return;
     const eye = toModel(camera.position.clone());
-    const testable = (this.shown.length * triangles.length) / 3 <= testLimit;
+    const testable = (labels.length * triangles.length) / 3 <= testLimit;
     const taken: { x: number; y: number; width: number }[] = [];
-    const wishes = this.shown
+    const wishes = labels
       .map((label) => {
-        if (label.width === 0) {
-          label.element.hidden = false;
-          label.width = label.element.offsetWidth;
-        }
-        const at = toWorld(label.pin.vertex).project(camera);
+        const own = label.element.offsetWidth;
+        const at = toWorld(label.vertex).project(camera);
         const [px, py] = [((at.x + 1) / 2) * width, ((1 - at.y) / 2) * height];
-        const spots = [py - 22, py + 2].flatMap((y) => [px + 9, px - 9 - label.width].map((x) => ({ x, y })));
+        const spots = [py - labelHeight - 2, py + 2].flatMap((y) => [px + 9, px - 9 - own].map((x) => ({ x, y })));
         const fits = ({ x, y }: { x: number; y: number }) =>
-          at.z < 1 && x >= 0 && y >= 0 && x + label.width <= width && y + labelHeight <= height;
-        return { label, depth: at.z, spots: spots.filter(fits) };
+          at.z < 1 && x >= 0 && y >= 0 && x + own <= width && y + labelHeight <= height;
+        const used = label.element.matches('.dragged, :focus-within');
+        const room = spots.filter(fits);
+        // Whatever is in use stays in view.
+        const edge = { x: clamp(px + 9, width - own), y: clamp(py - labelHeight - 2, height - labelHeight) };
+        return { label, own, used, depth: at.z, spots: used && room.length === 0 ? [edge] : room };
       })
-      // Who has the least choice goes first, then who is nearest.
-      .sort((p, q) => p.spots.length - q.spots.length || p.depth - q.depth);
-    for (const { label, spots } of wishes) {
-      const { pin, element } = label;
+      // What is in use goes first, then who has the least choice, then who is nearest.
+      .sort((p, q) => Number(q.used) - Number(p.used) || p.spots.length - q.spots.length || p.depth - q.depth);
+    for (const { label, own, used, spots } of wishes) {
+      const { vertex, element } = label;
       const free = ({ x, y }: { x: number; y: number }) =>
         taken.every(
-          (other) =>
-            x + label.width + 2 < other.x || other.x + other.width + 2 < x || Math.abs(y - other.y) > labelHeight,
+          (other) => x + own + 2 < other.x || other.x + other.width + 2 < x || Math.abs(y - other.y) > labelHeight,
         );
       const spot = spots.find(free);
-      const seen = spot && !(testable && hidden(eye, pin.vertex, points, triangles));
-      element.hidden = !seen;
+      const seen = spot && (used || !(testable && hidden(eye, vertex, points, triangles)));
+      element.classList.toggle('unplaced', !seen);
       if (!seen) continue;
-      taken.push({ ...spot, width: label.width });
+      taken.push({ ...spot, width: own });
       element.style.transform = `translate(${Math.round(spot.x)}px, ${Math.round(spot.y)}px)`;
     }
+    const placed = this.controls().filter(({ element }) => !element.classList.contains('unplaced'));
+    if (!placed.some(({ control }) => control === this.stop)) this.stopAt(placed[0]?.control ?? null);
   }
 }
+
+const clamp = (value: number, most: number) => Math.max(0, Math.min(value, most));
 
 /** Whether a triangle lies between the eye and a vertex (Möller–Trumbore, triangles at the vertex left out). */
 export function hidden(eye: Vector3, vertex: number, points: Float32Array, triangles: Int32Array): boolean {

@@ -5,7 +5,9 @@ import { fetchTexel } from './data-texture.js';
 export enum Mark {
   selected = 0,
   pin = 1,
-  outside = 2,
+  /** Of a value beyond its range. */
+  below = 2,
+  above = 4,
   hovered = 3,
 }
 
@@ -13,6 +15,7 @@ const vertexShader = /* glsl */ `
 uniform highp sampler2D positions;
 uniform float pixelRatio;
 uniform float lift;
+uniform bool crowded;
 in float vertex;
 in float mark;
 flat out int vMark;
@@ -23,10 +26,14 @@ void main() {
   // Nearer by less than an edge: a mark must not sink into the faces around its vertex.
   eye.xyz *= 1.0 - lift / length(eye.xyz);
   gl_Position = projectionMatrix * eye;
-  gl_PointSize = pixelRatio * (vMark == ${Mark.outside} ? 11.0 : vMark == ${Mark.pin} ? 13.0 : 18.0);
+  bool outside = vMark == ${Mark.below} || vMark == ${Mark.above};
+  // Where there is room the surface itself is hatched.
+  if (outside && !crowded) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+  gl_PointSize = pixelRatio * (outside ? 12.0 : vMark == ${Mark.pin} ? 13.0 : 18.0);
 }`;
 
 const fragmentShader = /* glsl */ `
+uniform float pixelRatio;
 uniform vec3 ink;
 uniform vec3 card;
 uniform vec3 accent;
@@ -40,11 +47,12 @@ void main() {
   float body = 0.0;
   float halo = 0.0;
   vec3 tint = ink;
-  if (vMark == ${Mark.outside}) {
-    float d = min(abs(p.x - p.y), abs(p.x + p.y)) * 0.7071;
-    float inside = 1.0 - smoothstep(0.9, 1.0, max(abs(p.x), abs(p.y)));
-    body = (1.0 - smoothstep(0.12, 0.22, d)) * inside * step(max(abs(p.x), abs(p.y)), 0.8);
-    halo = (1.0 - smoothstep(0.36, 0.46, d)) * inside;
+  if (vMark == ${Mark.below} || vMark == ${Mark.above}) {
+    float slant = vMark == ${Mark.above} ? -1.0 : 1.0;
+    float across = (gl_FragCoord.x + slant * gl_FragCoord.y) / pixelRatio / 5.0;
+    body = 1.0 - smoothstep(0.14, 0.24, abs(fract(across) - 0.5));
+    colour = vec4(mix(card, ink, body), mix(0.5, 1.0, body) * (1.0 - smoothstep(1.0 - soft, 1.0, r)));
+    return;
   } else if (vMark == ${Mark.pin}) {
     body = 1.0 - smoothstep(0.62 - soft, 0.62, r);
     halo = 1.0 - smoothstep(1.0 - soft, 1.0, r);
@@ -74,6 +82,7 @@ export class Markers {
         positions: { value: positions },
         pixelRatio: { value: 1 },
         lift: { value: lift },
+        crowded: { value: false },
         ink: { value: new Vector3() },
         card: { value: new Vector3() },
         accent: { value: new Vector3() },
@@ -103,6 +112,11 @@ export class Markers {
     geometry.setDrawRange(0, total);
     this.object.geometry = geometry;
     this.object.visible = total > 0;
+  }
+
+  /** @param crowded whether vertices are too close together for anything but a mark on each */
+  crowd(crowded: boolean): void {
+    if (this.material.uniforms.crowded) this.material.uniforms.crowded.value = crowded;
   }
 
   dispose(): void {

@@ -10,7 +10,7 @@ import {
   Vector3,
 } from 'three';
 import type { Geometry } from '../polylap.js';
-import { faceNormals, fetchTexel, noValue, ScalarTexture, VectorTexture } from './data-texture.js';
+import { faceNormals, fetchTexel, noValue, type Outside, ValueTexture, VectorTexture } from './data-texture.js';
 
 /** Looks up a triangle's corner by gl_VertexID: a mesh needs no vertex buffers, and a step uploads V + F vectors only. */
 const corner = /* glsl */ `
@@ -32,6 +32,7 @@ out vec3 vCorner;
 out vec3 vEye;
 out float vValue;
 out float vKnown;
+out float vOutside;
 void main() {
   ivec4 t = triangle();
   int vertex = cornerOf(t);
@@ -40,12 +41,17 @@ void main() {
   vCorner = vec3(k == 0, k == 1, k == 2);
   vEdges = t.w & 7;
   vNormal = normalMatrix * texelFetch(normals, texel(t.w >> 3), 0).xyz;
-  float value = texelFetch(values, texel(vertex), 0).x;
+  vec2 read = texelFetch(values, texel(vertex), 0).xy;
+  float value = read.x;
+  vOutside = read.y;
   vKnown = value < ${(noValue / 10).toExponential(1)} ? 1.0 : 0.0;
   vValue = vKnown * value;
   vEye = eye.xyz;
   gl_Position = projectionMatrix * eye;
 }`;
+
+/** Of the lines that hatch, horizontally and in CSS pixels. */
+const hatchPeriod = 8;
 
 const fragmentShader = /* glsl */ `
 uniform sampler2D map;
@@ -65,7 +71,15 @@ in vec3 vCorner;
 in vec3 vEye;
 in float vValue;
 in float vKnown;
+in float vOutside;
 out vec4 colour;
+// Slanted lines in the area around vertices beyond the range: up to the right above it, down to the right below.
+float hatch() {
+  float near = smoothstep(0.38, 0.42, abs(vOutside));
+  float across = (gl_FragCoord.x - sign(vOutside) * gl_FragCoord.y) / pixelRatio / ${hatchPeriod.toFixed(1)};
+  float off = abs(fract(across) - 0.5) * ${hatchPeriod.toFixed(1)};
+  return near * (1.0 - smoothstep(0.6, 1.3, off));
+}
 void main() {
   vec3 n = normalize(vNormal);
   if (dot(n, vEye) > 0.0) n = -n;
@@ -83,6 +97,7 @@ void main() {
     float off = abs(fract(level + 0.5) - 0.5) / max(wide, 1e-9);
     float isoline = isolines > 0.0 ? (1.0 - smoothstep(0.7, 1.4, off / pixelRatio)) * (1.0 - smoothstep(0.2, 0.5, wide)) : 0.0;
     surface = mix(surface, dot(surface, vec3(0.3, 0.6, 0.1)) < 0.45 ? vec3(1.0) : vec3(0.0), 0.85 * isoline);
+    surface = mix(surface, dot(surface, vec3(0.3, 0.6, 0.1)) < 0.45 ? vec3(1.0) : vec3(0.0), 0.7 * hatch());
     if (isolines > 0.0) drawnEdge = mix(surface, drawnEdge, 0.35);
   }
   // Distance to each side in pixels; side k lies opposite corner k + 2.
@@ -119,7 +134,7 @@ export type Colours = Record<'lit' | 'shade' | 'edge' | 'negative' | 'ink' | 'ca
 export class Surface {
   readonly mesh: Mesh;
   readonly positions: VectorTexture;
-  readonly values: ScalarTexture;
+  readonly values: ValueTexture;
   readonly material: ShaderMaterial;
   readonly pickMaterial: ShaderMaterial;
   /** 3V, as drawn. */
@@ -137,7 +152,7 @@ export class Surface {
   ) {
     const faces = geometry.offsets.length - 1;
     this.positions = new VectorTexture(vertexCount);
-    this.values = new ScalarTexture(vertexCount);
+    this.values = new ValueTexture(vertexCount);
     this.normals = new VectorTexture(faces);
     this.faceNormals = new Float32Array(3 * faces);
     this.points = geometry.positions;
@@ -189,9 +204,15 @@ export class Surface {
     this.normals.update(this.faceNormals);
   }
 
-  show(values: Float64Array | null, range: { min: number; max: number } | null, colours: Texture): void {
+  /** @param outside vertices whose values are hatched; they go with the values */
+  show(
+    values: Float64Array | null,
+    range: { min: number; max: number } | null,
+    colours: Texture,
+    outside: Iterable<readonly [vertex: number, side: Outside]> = [],
+  ): void {
     // The other side's may be all that has changed.
-    if (values !== this.shown) this.values.update(values);
+    if (values !== this.shown) this.values.update(values, outside);
     this.shown = values;
     const { mapped, map, range: shown } = this.material.uniforms;
     if (map) map.value = colours;

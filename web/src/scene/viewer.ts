@@ -2,11 +2,11 @@ import { type Material, Matrix4, Scene, type Texture, Vector3, WebGLRenderer, We
 import { type ColourMap, colourTexture } from '../colour-maps.js';
 import { meanEdge } from '../mean-edge.js';
 import type { Geometry } from '../polylap.js';
-import { type Pin, type View, views } from '../state.js';
+import { type View, views } from '../state.js';
 import { LinkedCamera } from './camera.js';
 import { readColours } from './colours.js';
-import { triangleTexture } from './data-texture.js';
-import { hidden, Labels } from './labels.js';
+import { type Outside, triangleTexture } from './data-texture.js';
+import { hidden, type Label, Labels } from './labels.js';
 import { type Layer, type LayerName, vertexNormal } from './layers.js';
 import { type Mark, Markers } from './markers.js';
 import { photograph } from './photograph.js';
@@ -19,6 +19,8 @@ interface Shown {
   markers: Markers;
 }
 
+/** From how many pixels an edge on there is room to hatch the area around a vertex. */
+const roomyEdge = 16;
 /** How far from a vertex on the outline, in pixels, a click still means it. */
 const clickReach = 12;
 /** The same of a finger: what it covers. */
@@ -136,8 +138,15 @@ export class Viewer {
     this.request();
   }
 
-  setValues(view: View, values: Float64Array | null, range: { min: number; max: number } | null, map: ColourMap): void {
-    this.shown?.[view].surface.show(values, range, this.maps[map]);
+  /** @param outside see Surface.show */
+  setValues(
+    view: View,
+    values: Float64Array | null,
+    range: { min: number; max: number } | null,
+    map: ColourMap,
+    outside?: Iterable<readonly [vertex: number, side: Outside]>,
+  ): void {
+    this.shown?.[view].surface.show(values, range, this.maps[map], outside);
     this.request();
   }
 
@@ -157,8 +166,8 @@ export class Viewer {
     this.request();
   }
 
-  setLabels(pins: readonly Pin[]): void {
-    for (const view of views) this.labels[view].set(pins);
+  setLabels(view: View, group: string, labels: readonly Label[]): void {
+    this.labels[view].set(group, labels);
     this.request();
   }
 
@@ -371,6 +380,7 @@ export class Viewer {
         for (const layer of layers.values()) layer.fit(box.width, box.height, ratio, lengthPerPixel);
         for (const { uniforms } of [surface.material, markers.material])
           if (uniforms.pixelRatio) uniforms.pixelRatio.value = ratio;
+        markers.crowd(this.meanEdge < roomyEdge * lengthPerPixel);
         renderer.setScissor(left + from, bottom, to - from, box.height);
         renderer.render(scene, this.camera.camera);
       }
