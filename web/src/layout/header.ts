@@ -73,7 +73,6 @@ export function header(
   const more = h(
     'div',
     { class: 'actions', id: 'actions', popover: 'auto' },
-    button('Gallery…', actions.gallery, { 'data-action': 'gallery', title: 'Meshes and figures, with pictures' }),
     button('Make…', actions.make, { 'data-action': 'make', title: 'Shapes with parameters, and changes to the mesh' }),
     button('Open…', actions.open, { 'data-action': 'open' }),
     button('Paste…', actions.paste, { 'data-action': 'paste' }),
@@ -93,6 +92,7 @@ export function header(
     h('h1', {}, 'polylap'),
     h('p', { class: 'tagline' }, 'Laplacians on polygon meshes, side by side'),
     meshes,
+    button('Gallery…', actions.gallery, { 'data-action': 'gallery', title: 'Meshes and figures, with pictures' }),
     h('span', { class: 'spring' }),
     undo,
     redo,
