@@ -181,7 +181,7 @@ describe('weights of vertices', () => {
     await page.getByRole('button', { name: 'Clear all weights of A' }).click();
     await settled(page);
     expect(await readout(page, 'smallest', 'a')).toBe(smallest);
-    await page.getByLabel('Weight ω of the vertex on A, value').fill('0.01');
+    await page.locator('[role=tabpanel]:visible').getByLabel('Weight ω of the vertex on A, value').fill('0.01');
     await settled(page);
     await chooseMesh(page, 'torus');
     expect(await page.evaluate(() => globalThis.polylap.state().vertexWeights.a)).toEqual({});

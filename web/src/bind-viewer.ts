@@ -5,11 +5,11 @@ import type { Geometry, Side } from './polylap.js';
 import { known } from './results.js';
 import { Outside } from './scene/data-texture.js';
 import { wheelHint } from './scene/host-scroll.js';
-import { chain, dualLayers, negativeLines, weightCircles } from './scene/layers.js';
+import { chain, dualLayers, negativeLines } from './scene/layers.js';
 import { Mark } from './scene/markers.js';
 import { onTap, type Tap } from './scene/taps.js';
 import { fingerReach, type Viewer } from './scene/viewer.js';
-import { operatorOf, presets, type Source, sides, type View, views } from './state.js';
+import { presets, type Source, sides, type View, views } from './state.js';
 
 /** Isolines divide the range of colours into so many. */
 const isolineSpaces = 20;
@@ -44,7 +44,6 @@ export function bindViewer(app: App, viewer: Viewer): void {
       },
     );
     bindDual(app, viewer, side);
-    bindWeights(app, viewer, side);
   }
 
   app.results.watch(
@@ -156,19 +155,6 @@ function bindDual(app: App, viewer: Viewer, side: Side): void {
         viewer.setLayer(side, name, layers[name] ?? null);
     },
   );
-}
-
-/** Weighted vertices, where the operator takes weights. */
-function bindWeights(app: App, viewer: Viewer, side: Side): void {
-  const show = () => {
-    const { sides: choices, vertexWeights } = app.state.get();
-    const weights = operatorOf(choices[side]).takesVertexWeights ? vertexWeights[side] : {};
-    const { positions } = app.results.get()[side];
-    const normalOf = (vertex: number) => viewer.normalOf(side, vertex);
-    viewer.setLayer(side, 'weights', weightCircles(positions, weights, normalOf, 0.3 * viewer.meanEdge));
-  };
-  app.state.watch((state) => [state.sides[side].operator, state.vertexWeights[side]], show);
-  app.results.watch((results) => [results[side].positions, results.mesh], show);
 }
 
 /** Whether a mesh is of the table of shapes. */

@@ -1,6 +1,7 @@
 import { App } from './app.js';
 import { bindPins } from './bind-pins.js';
 import { bindInput, bindKeys, bindViewer } from './bind-viewer.js';
+import { bindWeights } from './bind-weights.js';
 import { h } from './dom.js';
 import { page } from './layout/page.js';
 import { createClient } from './polylap.js';
@@ -45,6 +46,7 @@ try {
   bindViewer(app, viewer);
   bindInput(app, viewer, views);
   bindPins(app, viewer, views);
+  bindWeights(app, viewer);
 } catch {
   void ready.then(() =>
     tell('This browser shows no WebGL, so the meshes cannot be drawn. All numbers are right without it.'),

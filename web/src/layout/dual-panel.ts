@@ -3,9 +3,11 @@ import { h } from '../dom.js';
 import { count, real } from '../format.js';
 import type { Dual, Geometry } from '../polylap.js';
 import { known } from '../results.js';
-import { type State, sides } from '../state.js';
+import { operatorOf, type State, sides } from '../state.js';
 import { button, numberField, slider } from './controls.js';
 import { sideTable } from './table.js';
+import { vertexField } from './vertex-field.js';
+import { vertexWeights } from './vertex-weights.js';
 
 /** The slider's left end is 0, exactly orthogonal; then powers of ten. */
 const [weakest, strongest] = [-2, 4];
@@ -53,6 +55,24 @@ export function dualPanel(app: App): HTMLElement {
     );
     return h('label', { class: 'check' }, box, h('span', { class: `swatch ${swatch}`, 'aria-hidden': 'true' }), text);
   };
+  const weights = h(
+    'section',
+    {},
+    h('h2', {}, 'Vertex weights'),
+    vertexField(app),
+    vertexWeights(app),
+    h(
+      'p',
+      { class: 'note' },
+      'These operators let ω move where an edge is crossed: (|e|² + ωᵢ − ωⱼ) / 2|e| from vertex i. The dual drawn here is found without ω.',
+    ),
+  );
+  app.state.watch(
+    (state) => [state.sides],
+    (choices) => {
+      weights.hidden = !sides.some((side) => operatorOf(choices[side]).takesVertexWeights);
+    },
+  );
   const element = h(
     'div',
     { class: 'panel-body' },
@@ -94,6 +114,7 @@ export function dualPanel(app: App): HTMLElement {
       layer('edges', 'dual', 'dual edges and vertices'),
       layer('points', 'point', 'edge points'),
     ),
+    weights,
   );
 
   app.state.watch(

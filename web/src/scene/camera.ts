@@ -211,6 +211,12 @@ export class LinkedCamera {
     return this.target.clone().addScaledVector(direction, this.distance());
   }
 
+  /** The length that a pixel covers at a place, in a view of that height. */
+  lengthPerPixel(at: Vector3, height: number): number {
+    const depth = at.clone().sub(this.camera.position).dot(this.direction().negate());
+    return (2 * depth * Math.tan((this.camera.fov * Math.PI) / 360)) / height;
+  }
+
   distance(): number {
     return this.camera.position.distanceTo(this.target);
   }

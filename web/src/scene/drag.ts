@@ -2,7 +2,8 @@
 const reach = 4;
 
 export interface Drag {
-  begin: () => void;
+  /** From where it was pressed. */
+  begin: (x: number, y: number) => void;
   /** At most once a frame. @param touch whether a finger does it */
   move: (x: number, y: number, touch: boolean) => void;
   end: () => void;
@@ -38,7 +39,7 @@ export function onDrag(handle: HTMLElement, { begin, move, end, cancel }: Drag):
         if (next.pointerId !== pointerId) return;
         at = { x: next.clientX, y: next.clientY };
         if (!begun && Math.hypot(at.x - clientX, at.y - clientY) < reach) return;
-        if (!begun) begin();
+        if (!begun) begin(clientX, clientY);
         begun = true;
         frame ||= requestAnimationFrame(follow);
       },

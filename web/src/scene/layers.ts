@@ -75,7 +75,7 @@ export function weightCircles(
   }
   if (starts.length === 0) return null;
   const lines = { segments: Float32Array.from(ends), segmentStarts: Float32Array.from(starts) };
-  return new Lines(lines, { ink: 'accent', dashed: false, width: 2, lift });
+  return new Lines(lines, { ink: 'accent', dashed: false, width: 2, lift, opaque: true });
 }
 
 /** A line from vertex to vertex. */

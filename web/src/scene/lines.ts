@@ -83,6 +83,8 @@ export interface Stroke {
   width: number;
   /** How much nearer to the eye they are drawn, a length. */
   lift: number;
+  /** Also where the segments are short; others become a tint there. */
+  opaque?: boolean;
 }
 
 /** Lines on a surface, or close to it. */
@@ -93,7 +95,7 @@ export class Lines {
   private readonly meanLength: number;
   private readonly width: number;
 
-  constructor(lines: Segments, { ink, dashed, width, lift }: Stroke) {
+  constructor(lines: Segments, { ink, dashed, width, lift, opaque = false }: Stroke) {
     this.ink = ink;
     this.width = width;
     const total = lines.segmentStarts.length;
@@ -115,7 +117,7 @@ export class Lines {
         ink: { value: new Vector3() },
       },
     });
-    this.meanLength = meanLength(lines.segments);
+    this.meanLength = opaque ? Infinity : meanLength(lines.segments);
     this.object = hairlines
       ? new LineSegments(thinGeometry(lines), this.material)
       : new Mesh(wideGeometry(lines), this.material);

@@ -209,6 +209,13 @@ export class Viewer {
     return { x: box.x + ((screen.x + 1) / 2) * box.width, y: box.y + ((1 - screen.y) / 2) * box.height, visible };
   }
 
+  /** The length that a pixel of a view covers where a vertex is. */
+  lengthPerPixel(view: View, vertex: number): number {
+    const shown = this.shown?.[view];
+    const { height } = this.places[view].getBoundingClientRect();
+    return shown && height > 0 ? this.camera.lengthPerPixel(this.toWorld(shown, vertex), height) : 0;
+  }
+
   /** The vertex meant by a point of the page: the nearest corner of the face seen there, or beside the mesh the nearest vertex within reach. */
   pick(view: View, clientX: number, clientY: number, reach = clickReach): number | null {
     const box = this.places[view].getBoundingClientRect();
@@ -370,8 +377,7 @@ export class Viewer {
       const box = this.places[view].getBoundingClientRect();
       if (box.width === 0 || box.height === 0) continue;
       this.aim(box);
-      const lengthPerPixel =
-        (2 * this.camera.distance() * Math.tan((this.camera.camera.fov * Math.PI) / 360)) / box.height;
+      const lengthPerPixel = this.camera.lengthPerPixel(this.camera.centre(), box.height);
       const left = box.left - stage.left;
       const bottom = stage.bottom - box.bottom;
       renderer.setViewport(left, bottom, box.width, box.height);
