@@ -1,7 +1,7 @@
 /** Workers that die. */
 import { describe, expect, it } from 'vitest';
 import { startClient, type WorkerLike } from '../../wasm/src/client.js';
-import { aw, endless, failure, planar, torus, until, useClients } from './client-help.js';
+import { aw, endless, failure, planar, sending, torus, until, useClients } from './client-help.js';
 
 const { start, worker, workers } = useClients();
 
@@ -34,6 +34,20 @@ describe('a worker that dies', () => {
     worker().onmessageerror?.();
     expect((await mesh.weights(aw)).negativeOrdered).toBe(2048);
     expect(workers().length).toBe(3);
+  });
+
+  it.each(['close', 'reset'] as const)('has done what it was to undo: %s', async (call) => {
+    const c = await start();
+    const mesh = await c.make(torus);
+    await mesh.smooth(aw, { time: 0.01 });
+    const sent = sending(worker(), call);
+    const done = mesh[call]();
+    await sent;
+    worker().say({ kind: 'failed', message: 'unreachable' });
+    await done;
+    expect(workers().length).toBe(2);
+    if (call === 'reset') expect((await mesh.smooth(aw, { time: 0.01 })).step).toBe(1);
+    else expect((await failure(mesh.shape())).message).toContain('has been closed');
   });
 
   it('is replaced when it ran out of memory, which it could not give back', async () => {

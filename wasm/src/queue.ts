@@ -372,7 +372,12 @@ export class WorkerQueue {
     const job = this.#current;
     this.#current = undefined;
     this.#start();
-    job?.reject(job.stopped ? job.stopped.error : error);
+    if (!job) return;
+    if (job.onlyIfThere && !job.stopped) {
+      // What it was about went with the worker.
+      job.commit(undefined as never);
+      job.resolve(undefined as never);
+    } else job.reject(job.stopped ? job.stopped.error : error);
   }
 
   #end(error: () => PolylapError): void {

@@ -39,6 +39,8 @@ export class Answers {
   /** What was asked last, and to what the answers on screen are answers. */
   private readonly asked: Record<Side, Partial<Record<Kind, Question>>> = { a: {}, b: {} };
   private readonly answered: Record<Side, Partial<Record<Kind, Question>>> = { a: {}, b: {} };
+  /** Of which mesh a side is being measured. */
+  private readonly measured: Record<Side, Mesh | null> = { a: null, b: null };
   private dual: { mesh: Mesh; about: string; answer: Promise<Dual> } | null = null;
 
   constructor(private readonly app: App) {
@@ -59,6 +61,8 @@ export class Answers {
     if (!mesh) return;
     const { task } = app.state.get();
     const ask = this.refreshers[side];
+    // A worker that died has taken it along.
+    if (!app.results.get()[side].shape && this.measured[side] !== mesh) void this.measure(mesh, side);
     ask.weights(mesh);
     this.harmonic(side);
     if (task === 'check') ask.check(mesh);
@@ -90,12 +94,15 @@ export class Answers {
   /** Area and volume of a side that stands on the loaded mesh. */
   async measure(mesh: Mesh, side: Side): Promise<void> {
     const { app } = this;
+    this.measured[side] = mesh;
     try {
       const shape = await app.work.run(labelOf(side, 'shape'), (run) => mesh.shape({ side, ...run }), side);
       if (app.results.get().mesh === mesh) app.smoothing.loadedArea = shape.area;
       app.patch(mesh, side, { shape });
     } catch (reason) {
       app.fail(mesh, 'The surface could not be measured', reason);
+    } finally {
+      if (this.measured[side] === mesh) this.measured[side] = null;
     }
   }
 
