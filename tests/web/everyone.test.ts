@@ -1,68 +1,10 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
-import { AxeBuilder } from '@axe-core/playwright';
-import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { dist, picture, readout, settled, tasks, useSite, visit } from './browser.js';
 
 const site = useSite();
-
-/** What axe complains about, in one line each. */
-async function complaints(page: Page): Promise<string[]> {
-  // axe wants to open a page of its own to merge frames; there are no frames here.
-  const { violations } = await new AxeBuilder({ page: page as never }).setLegacyMode().analyze();
-  return violations.flatMap(({ id, nodes }) =>
-    nodes.map(({ target, failureSummary }) => `${id}: ${target.join(' ')} ${failureSummary}`),
-  );
-}
-
-async function example(page: Page): Promise<void> {
-  await page.getByRole('tab', { name: 'Harmonic' }).click();
-  await page.getByRole('button', { name: 'Two pins, 0 and 1' }).click();
-  await page.waitForFunction(() => globalThis.polylap.results().b.harmonic !== null);
-  await settled(page);
-}
-
-describe.each([
-  ['light', { colorScheme: 'light' as const }],
-  ['dark', { colorScheme: 'dark' as const }],
-  ['narrow', { viewport: { width: 390, height: 844 }, hasTouch: true }],
-])('axe, %s', (name, options) => {
-  it('finds nothing in any task, nor in the dialogs, nor beside an error', async () => {
-    const { page, troubles, close } = await visit(site, options);
-    expect(await complaints(page)).toEqual([]);
-    await page.getByRole('tab', { name: 'Smooth' }).click();
-    expect(await complaints(page)).toEqual([]);
-    for (const task of ['Dual', 'Check']) {
-      await page.getByRole('tab', { name: task }).click();
-      await settled(page);
-      if (task === 'Check') await page.getByRole('button', { name: 'All reasons' }).click();
-      await picture(page, `${task.toLowerCase()}-${name}`, true);
-      expect(await complaints(page)).toEqual([]);
-    }
-    await example(page);
-    await picture(page, `harmonic-${name}`, true);
-    expect(await complaints(page)).toEqual([]);
-    await page
-      .getByLabel('Mesh file')
-      .setInputFiles({ name: 'broken.obj', mimeType: 'text/plain', buffer: Buffer.from('f 1 2 3') });
-    await page.locator('.error').waitFor({ state: 'visible' });
-    expect(await complaints(page)).toEqual([]);
-    for (const opener of ['Make…', 'Paste…', 'Help']) {
-      const menu = page.getByRole('button', { name: 'Menu', exact: true });
-      if (await menu.isVisible()) {
-        await menu.click();
-        expect(await complaints(page)).toEqual([]);
-      }
-      await page.getByRole('button', { name: opener }).click();
-      expect(await complaints(page)).toEqual([]);
-      await page.keyboard.press('Escape');
-    }
-    expect(troubles).toEqual([]);
-    await close();
-  });
-});
 
 describe('widths', () => {
   it.each([1440, 1024, 899, 390, 320])('%i px: nothing is wider than the window', async (width) => {
@@ -188,25 +130,6 @@ describe('by keyboard alone', () => {
 });
 
 describe('the picture', () => {
-  it('comes back after the graphics context was lost', async () => {
-    const { page, close } = await visit(site);
-    await page.evaluate(() => {
-      const context = document.querySelector<HTMLCanvasElement>('canvas.scene')?.getContext('webgl2');
-      const extension = context?.getExtension('WEBGL_lose_context');
-      extension?.loseContext();
-      setTimeout(() => extension?.restoreContext(), 500);
-    });
-    await page.getByText('took the picture away').first().waitFor({ state: 'attached' });
-    await page.waitForFunction(() => /picture is back/.test(document.querySelector('.notice')?.textContent ?? ''));
-    await picture(page, 'restored');
-    expect(await readout(page, 'negative', 'a')).toBe(2048);
-    const box = await page.locator('[data-view=a]').boundingBox();
-    const shot = await page.screenshot({ clip: box ?? { x: 0, y: 0, width: 1, height: 1 } });
-    // An empty card compresses to next to nothing.
-    expect(shot.byteLength).toBeGreaterThan(20_000);
-    await close();
-  });
-
   it('is missed without WebGL, the numbers are not', async () => {
     const context = await site.browser.newContext();
     const page = await context.newPage();

@@ -168,25 +168,4 @@ describe('long work', () => {
     await page.getByLabel('Operator of B').selectOption('planar');
     await shows(page, 'negative', 2048, 0);
   });
-
-  it('is taken up by a new worker when the worker dies, with the surfaces where they were', async () => {
-    const { page } = at;
-    await page.getByRole('tab', { name: 'Smooth' }).click();
-    await page.getByRole('button', { name: 'Step', exact: true }).click();
-    await shows(page, 'step', 1, 1);
-    const area = await readout(page, 'area', 'a');
-    const workers = page.workers();
-    expect(workers.length).toBe(2);
-    await workers[0]?.evaluate(() => {
-      setTimeout(() => {
-        throw new Error('killed by a test');
-      });
-    });
-    await page.waitForFunction(() => /started again/.test(document.querySelector('.notice')?.textContent ?? ''));
-    await page.getByRole('button', { name: 'Step', exact: true }).click();
-    await shows(page, 'step', 2, 2);
-    expect(await readout(page, 'area', 'a')).toBeLessThan(area);
-    // That worker died loudly on purpose; nothing else did.
-    expect(at.troubles.filter((trouble) => !trouble.includes('killed by a test'))).toEqual([]);
-  });
 });

@@ -66,7 +66,12 @@ export class Viewer {
     for (const view of views) this.camera.attach(places[view]);
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement as HTMLElement);
     for (const view of views) new ResizeObserver(() => this.resize()).observe(places[view]);
-    canvas.addEventListener('webglcontextrestored', () => this.request());
+    canvas.addEventListener('webglcontextrestored', () => {
+      // Chromium gives back a canvas that is black where it should be transparent, until its size changes.
+      this.renderer.setSize(1, 1, false);
+      this.resize();
+      this.request();
+    });
   }
 
   // --- what is shown ------------------------------------------------------------------------------------------------------
