@@ -68,6 +68,17 @@ struct HarmonicSlot {
     std::int64_t bytes() const { return problem ? problem->bytes() : 0; }
 };
 
+/// Lines as floats, into an answer that has fields for them.
+template <class Answer>
+void keep_lines(SurfaceLines lines, const Vector3& origin, Answer& answer) {
+    for (const auto& segment : lines.segments)
+        for (const Vector3& end : segment)
+            for (int k = 0; k < 3; ++k)
+                answer.segments.push_back(static_cast<float>(end[k] - origin[k]));
+    answer.segment_starts.assign(lines.start.begin(), lines.start.end());
+    answer.segment_pairs = std::move(lines.pair);
+}
+
 struct SideState {
     OperatorSpec spec;
     PolygonMesh surface;
@@ -256,18 +267,38 @@ Result<Session::Weights> Session::weights(Side side, Monitor monitor) {
     return guard_memory([&]() -> Result<Weights> {
         Weights weights;
         weights.summary = summarise_weights((*built)->stiffness);
-        SurfaceLines lines = drape_pairs(surface(side), impl_->display, weights.summary.negative, most_segments);
-        for (const auto& segment : lines.segments) {
-            for (const Vector3& end : segment) {
-                for (int k = 0; k < 3; ++k) {
-                    weights.segments.push_back(static_cast<float>(end[k] - impl_->origin[k]));
-                }
-            }
-        }
-        weights.segment_starts.assign(lines.start.begin(), lines.start.end());
-        weights.segment_pairs = std::move(lines.pair);
+        keep_lines(drape_pairs(surface(side), impl_->display, weights.summary.negative, most_segments), impl_->origin,
+                   weights);
         return weights;
     });
+}
+
+Result<Session::Row> Session::row(Side side, Index vertex, Monitor monitor) {
+    if (vertex < 0 || vertex >= mesh().vertex_count()) {
+        return Error{ErrorCode::bad_argument, "there is no vertex " + std::to_string(vertex) + ": the mesh has " +
+                                                  std::to_string(mesh().vertex_count()) + " (counted from 0)"};
+    }
+    const auto built = matrices(side, monitor);
+    if (!built) return built.error();
+    return guard_memory([&]() -> Result<Row> {
+        Row row;
+        row.entries = row_of(**built, vertex);
+        std::vector<Weight> spokes;
+        std::vector<Index> entry;
+        for (std::size_t k = 0; k < row.entries.columns.size(); ++k) {
+            if (row.entries.columns[k] == vertex) continue;
+            spokes.push_back({vertex, row.entries.columns[k], -row.entries.values[k]});
+            entry.push_back(static_cast<Index>(k));
+        }
+        keep_lines(drape_pairs(surface(side), impl_->display, spokes), impl_->origin, row);
+        for (Index& pair : row.segment_pairs)
+            pair = entry[static_cast<std::size_t>(pair)];
+        return row;
+    });
+}
+
+Result<FaceReport> Session::face(Side side, Index face) const {
+    return inspect_face(surface(side), spec(side), face);
 }
 
 Session::Shape Session::shape(Side side) const {

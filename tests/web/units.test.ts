@@ -13,7 +13,6 @@ import { Meshes } from '../../web/src/meshes.js';
 import { describe as describeMesh, explain } from '../../web/src/messages.js';
 import { type Mesh, PolylapError } from '../../web/src/polylap.js';
 import { freshSide } from '../../web/src/results.js';
-import { sparseRow } from '../../web/src/sparse-row.js';
 import { initialState, withPin } from '../../web/src/state.js';
 import { Store } from '../../web/src/store.js';
 import { isCancelled, Unwanted, Work } from '../../web/src/work.js';
@@ -285,30 +284,6 @@ describe('meshes and matrices', () => {
   it('finds two vertices far apart', async () => {
     const { mesh } = await grid();
     expect(examplePins(mesh).map(({ value }) => value)).toEqual([0, 1]);
-  });
-
-  it('reads a row that sums to zero', async () => {
-    const { session } = await grid();
-    const row = sparseRow(session.matrices({ id: 'alexa-wardetzky' }).stiffness, 40);
-    expect(row.size).toBe(9);
-    expect([...row.values()].reduce((sum, value) => sum + value, 0)).toBeCloseTo(0, 12);
-    expect(row.get(41)).toBeCloseTo(-2, 12);
-  });
-
-  it('reads rows, not columns, where they differ', async () => {
-    // Row 0 is (1, 2), row 1 is (0, 3).
-    const matrix = {
-      rows: 2,
-      cols: 2,
-      colStarts: Int32Array.of(0, 1, 3),
-      rowIndices: Int32Array.of(0, 0, 1),
-      values: Float64Array.of(1, 2, 3),
-    };
-    expect([...sparseRow(matrix, 0)]).toEqual([
-      [0, 1],
-      [1, 2],
-    ]);
-    expect([...sparseRow(matrix, 1)]).toEqual([[1, 3]]);
   });
 });
 

@@ -71,6 +71,24 @@ val told(const Session::Weights& weights) {
                   entry("segmentPairs", array(weights.segment_pairs)));
 }
 
+val told(const Session::Row& row) {
+    return object(entry("columns", array(row.entries.columns)), entry("values", array(row.entries.values)),
+                  entry("mass", row.entries.mass), entry("segments", array(row.segments)),
+                  entry("segmentStarts", array(row.segment_starts)), entry("segmentPairs", array(row.segment_pairs)));
+}
+
+val told(const FaceReport& face) {
+    static_assert(sizeof(Eigen::Vector2d) == 2 * sizeof(double) && sizeof(Triangle) == 3 * sizeof(Index));
+    return object(
+        entry("corners", array(face.corners)), entry("vectorArea", triple(face.vector_area)),
+        entry("normal", triple(face.normal)), entry("nonPlanarity", face.non_planarity),
+        entry("projected", array(reinterpret_cast<const double*>(face.projected.data()), 2 * face.projected.size())),
+        entry("triangles", array(reinterpret_cast<const Index*>(face.triangles.data()), 3 * face.triangles.size())),
+        // Column by column in Eigen: transposed, row by row.
+        entry("stiffness", face.stiffness ? dense(Matrix(face.stiffness->transpose())) : val::null()),
+        entry("noStiffness", face.no_stiffness));
+}
+
 val told(const Session::Harmonic& harmonic) {
     return object(entry("values", array(harmonic.values.data(), static_cast<std::size_t>(harmonic.values.size()))),
                   entry("min", harmonic.min), entry("max", harmonic.max), entry("fixedMin", harmonic.fixed_min),

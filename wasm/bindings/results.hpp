@@ -12,6 +12,8 @@ val told(const Session::Shape& shape);
 val told(const std::optional<SmoothingSolve>& solve);
 val told(const Session::Repairs& repairs);
 val told(const Session::Weights& weights);
+val told(const Session::Row& row);
+val told(const FaceReport& face);
 val told(const Session::Harmonic& harmonic);
 val told(const PropertyReport& report);
 /// @param origin to which its float positions are relative

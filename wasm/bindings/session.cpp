@@ -165,6 +165,23 @@ val weights(Session& session, Side side, val callback) {
     });
 }
 
+val row(Session& session, Side side, Index vertex, val callback) {
+    return guarded([&]() -> Result<val> {
+        Tick tick(std::move(callback));
+        const auto row = session.row(side, vertex, tick.monitor());
+        if (!row) return row.error();
+        return told(*row);
+    });
+}
+
+val face(const Session& session, Side side, Index number) {
+    return guarded([&]() -> Result<val> {
+        const auto face = session.face(side, number);
+        if (!face) return face.error();
+        return told(*face);
+    });
+}
+
 val smooth(Session& session, Side side, double time, int steps, bool rebuild, val callback) {
     return guarded([&] {
         Tick tick(std::move(callback));
@@ -238,6 +255,8 @@ EMSCRIPTEN_BINDINGS(polylap_session) {
         .function("convert", &convert_surface)
         .function("setOperator", &set_operator)
         .function("weights", &weights)
+        .function("row", &row)
+        .function("face", &face)
         .function("smooth", &smooth)
         .function("harmonic", &harmonic)
         .function("matrices", &matrices)

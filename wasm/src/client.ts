@@ -16,8 +16,8 @@ import {
   text,
 } from './check.js';
 import type { ConversionSpec, OperatorSpec, ShapeSpec } from './generated.js';
-import type { CallName, Gives, OnSide, Opened, Request, Saved, Source, Takes } from './protocol.js';
-import { type Subject, type WorkerLike, WorkerQueue } from './queue.js';
+import type { CallName, OnSide, Opened, Request, Saved, Source, Takes } from './protocol.js';
+import { type Hooks, type Subject, type WorkerLike, WorkerQueue } from './queue.js';
 import type {
   Client,
   ConvergenceStudy,
@@ -195,7 +195,7 @@ class WorkerClient implements Client {
       call: K,
       takes: Omit<Takes<K>, keyof OnSide>,
       run: SmoothRunOptions,
-      hooks: { commit?: (value: Gives<K>) => unknown; undo?: () => Request; needsWhole?: boolean } = {},
+      hooks: Pick<Hooks<K>, 'commit' | 'undo' | 'needsWhole' | 'urgent'> = {},
     ) => {
       if (state.closed) throw badArgument('this mesh has been closed');
       const { side = 'a' } = run;
@@ -208,6 +208,10 @@ class WorkerClient implements Client {
       name,
       geometry,
       weights: async (spec, run = {}) => ask('weights', { spec: ownOperator(spec) }, runOf(run)),
+      row: async (spec, vertex, run = {}) =>
+        ask('row', { spec: ownOperator(spec), vertex }, runOf(run), { urgent: true }),
+      face: async (spec, face, run = {}) =>
+        ask('face', { spec: ownOperator(spec), face }, runOf(run), { urgent: true }),
       shape: async (run = {}) => ask('shape', {}, runOf(run)),
       smooth: async (spec, options, given = {}) => {
         const run = runOf(given);

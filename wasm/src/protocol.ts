@@ -6,6 +6,7 @@ import type {
   ConvergenceStudy,
   Dual,
   DualOptions,
+  FaceReport,
   FixedValues,
   Geometry,
   Harmonic,
@@ -14,6 +15,7 @@ import type {
   MeshFormat,
   MeshInfo,
   OpenOptions,
+  Row,
   Shape,
   Side,
   Smoothed,
@@ -41,6 +43,8 @@ export interface Calls {
   adopt: { takes: { mesh: number; arrays: MeshArrays }; gives: undefined };
   close: { takes: { mesh: number }; gives: undefined };
   weights: { takes: OnSide & { spec: OperatorSpec }; gives: Weights };
+  row: { takes: OnSide & { spec: OperatorSpec; vertex: number }; gives: Row };
+  face: { takes: OnSide & { spec: OperatorSpec; face: number }; gives: FaceReport };
   shape: { takes: OnSide; gives: Shape };
   smooth: { takes: OnSide & { spec: OperatorSpec; options: SmoothOptions; showSteps: boolean }; gives: Smoothed };
   harmonic: { takes: OnSide & { spec: OperatorSpec; fixed: FixedValues }; gives: Harmonic };

@@ -28,13 +28,15 @@ export interface Subject {
   bring(): Request[];
 }
 
-interface Hooks<K extends CallName> {
+export interface Hooks<K extends CallName> {
   /** None: the request needs nothing in the worker. */
   subject?: Subject;
   /** The request is void where the subject is not in the worker. */
   onlyIfThere?: boolean;
   /** The request is for what only the whole core can do. */
   needsWhole?: boolean;
+  /** Somebody looks at where the answer will be: it goes before what has not been sent yet. */
+  urgent?: boolean;
   run?: SmoothRunOptions;
   /** Memory in the arguments that the client gives up. */
   transfer?: Transferable[];
@@ -131,7 +133,16 @@ export class WorkerQueue {
   async call<K extends CallName>(
     call: K,
     takes: Takes<K>,
-    { subject, onlyIfThere = false, needsWhole = false, run = {}, transfer = [], commit, undo }: Hooks<K> = {},
+    {
+      subject,
+      onlyIfThere = false,
+      needsWhole = false,
+      urgent = false,
+      run = {},
+      transfer = [],
+      commit,
+      undo,
+    }: Hooks<K> = {},
   ): Promise<Gives<K>> {
     // The caller may change the arguments while the request waits. A source is the client's own already, and may be large.
     const request = { call, takes: 'source' in takes ? takes : ownCopy(takes) } as Request;
@@ -167,7 +178,8 @@ export class WorkerQueue {
         },
         ...(undo && { undo }),
       };
-      this.#queue.push(job);
+      if (urgent) this.#queue.unshift(job);
+      else this.#queue.push(job);
       this.#sendNext();
     });
   }

@@ -3,6 +3,7 @@ import type {
   Check,
   ConvergenceStudy,
   Dual,
+  FaceReport,
   Geometry,
   Harmonic,
   MakerInfo,
@@ -10,6 +11,7 @@ import type {
   MeshInfo,
   OperatorInfo,
   PropertyInfo,
+  Row,
   Shape,
   Smoothed,
   Weights,
@@ -45,6 +47,8 @@ export interface RawSession {
   convert(side: RawSide, id: string, settings: Settings): Reply<RawSession>;
   setOperator(side: RawSide, id: string, settings: Settings, vertexWeights: Float64Array | undefined): Reply<void>;
   weights(side: RawSide, tick: Tick | undefined): Reply<Weights>;
+  row(side: RawSide, vertex: number, tick: Tick | undefined): Reply<Row>;
+  face(side: RawSide, face: number): Reply<FaceReport>;
   smooth(side: RawSide, time: number, steps: number, rebuild: boolean, tick: Tick | undefined): Reply<void>;
   harmonic(side: RawSide, vertices: Int32Array, values: Float64Array, tick: Tick | undefined): Reply<Harmonic>;
   matrices(side: RawSide, tick: Tick | undefined): Reply<Matrices>;

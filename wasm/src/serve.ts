@@ -106,6 +106,10 @@ class Server {
     switch (call) {
       case 'weights':
         return session.weights(takes.spec, options);
+      case 'row':
+        return session.row(takes.spec, takes.vertex, options);
+      case 'face':
+        return session.face(takes.spec, takes.face, options);
       case 'shape':
         return session.shape(options);
       case 'smooth':

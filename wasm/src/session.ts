@@ -24,6 +24,7 @@ import type {
   ConvergenceStudy,
   Dual,
   DualOptions,
+  FaceReport,
   FixedValues,
   Geometry,
   Harmonic,
@@ -33,6 +34,7 @@ import type {
   MeshInfo,
   OpenOptions,
   OperatorInfo,
+  Row,
   Shape,
   Side,
   Smoothed,
@@ -217,6 +219,17 @@ export class Session {
 
   weights(spec: OperatorSpec, options: SyncOptions = {}): Weights {
     return this.#apply(spec, options, (raw, side, tick) => raw.weights(side, tick));
+  }
+
+  /** The row of a vertex: at once where the matrices were built for something else. */
+  row(spec: OperatorSpec, vertex: number, options: SyncOptions = {}): Row {
+    const of = wholeNumber(vertex, 'the vertex');
+    return this.#apply(spec, options, (raw, side, tick) => raw.row(side, of, tick));
+  }
+
+  face(spec: OperatorSpec, face: number, options: SyncOptions = {}): FaceReport {
+    const of = wholeNumber(face, 'the face');
+    return this.#apply(spec, options, (raw, side) => raw.face(side, of));
   }
 
   /** All steps or none: a step that fails or is stopped leaves the surface as it was. */

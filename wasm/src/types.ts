@@ -135,6 +135,39 @@ export interface Weights {
   segmentPairs: Int32Array;
 }
 
+/** The row of a vertex in S. */
+export interface Row {
+  /** Ascending, the vertex itself among them. */
+  columns: Int32Array;
+  /** S_ij; none off the diagonal is 0. */
+  values: Float64Array;
+  /** M_ii, length². */
+  mass: number;
+  /** Lines from the vertex to the others, laid on the surface as those of Weights; `segmentPairs` counts in `columns`. */
+  segments: Float32Array;
+  segmentStarts: Float32Array;
+  segmentPairs: Int32Array;
+}
+
+/** One face, as an operator sees it. */
+export interface FaceReport {
+  /** n vertices. */
+  corners: Int32Array;
+  /** length² */
+  vectorArea: [number, number, number];
+  /** Of length 1; 0 where the vector area is. */
+  normal: [number, number, number];
+  /** RMS distance of the corners from their plane over √|a|. */
+  nonPlanarity: number;
+  /** 2n coordinates of the corners seen along the vector area, counter-clockwise; empty where it is 0. */
+  projected: Float64Array;
+  /** 3T corners of the triangles that the operator cuts the face into; empty where it cuts none. */
+  triangles: Int32Array;
+  /** n², row by row: what the face adds to S; null where there is no such matrix, with the reason. */
+  stiffness: Float64Array | null;
+  noStiffness: string;
+}
+
 export interface Shape {
   /** Σ |a_f|, length². */
   area: number;
@@ -345,6 +378,10 @@ export interface Mesh extends MeshInfo {
   readonly name: string;
   readonly geometry: Geometry;
   weights(spec: OperatorSpec, run?: RunOptions): Promise<Weights>;
+  /** The row of a vertex. Does not wait for what was asked before: of the surface as it stands. */
+  row(spec: OperatorSpec, vertex: number, run?: RunOptions): Promise<Row>;
+  /** As `row`, of a face. */
+  face(spec: OperatorSpec, face: number, run?: RunOptions): Promise<FaceReport>;
   shape(run?: RunOptions): Promise<Shape>;
   smooth(spec: OperatorSpec, options: SmoothOptions, run?: SmoothRunOptions): Promise<Smoothed>;
   harmonic(spec: OperatorSpec, fixed: FixedValues, run?: RunOptions): Promise<Harmonic>;

@@ -10,18 +10,20 @@ const names = {
   weights: 'weights',
   harmonic: 'harmonic function',
   matrices: 'matrix',
+  row: 'row of the vertex',
+  face: 'face',
   check: 'properties',
   dual: 'orthogonal dual',
   shape: 'area and volume',
   study: 'convergence',
 };
 type Kind = Exclude<keyof typeof names, 'shape' | 'study'>;
-const kinds: readonly Kind[] = ['weights', 'harmonic', 'matrices', 'check', 'dual'];
+const kinds: readonly Kind[] = ['weights', 'harmonic', 'matrices', 'row', 'face', 'check', 'dual'];
 
 const labelOf = (side: Side, what: keyof typeof names) => `${side.toUpperCase()}: ${names[what]}`;
 
-/** Rows of S are read from the whole matrix; beyond this that is too much to copy for each touch of a slider. */
-export const rowLimit = 20_000;
+/** Plots of matrices need all of them; on more vertices that is too much to copy for each touch of a slider. */
+export const plotLimit = 20_000;
 
 /** What an answer depends on. */
 interface Question {
@@ -67,7 +69,10 @@ export class Answers {
     this.harmonic(side);
     if (task === 'check') ask.check(mesh);
     if (task === 'dual') ask.dual(mesh);
+    if (task !== 'weights') return;
+    if (mesh.vertices <= plotLimit) ask.matrices(mesh);
     this.row(side);
+    this.face(side);
   }
 
   updateBoth(): void {
@@ -87,8 +92,14 @@ export class Answers {
   row(side: Side): void {
     const { mesh } = this.app.results.get();
     const { task, selected } = this.app.state.get();
-    if (mesh && task === 'weights' && selected !== null && mesh.vertices <= rowLimit)
-      this.refreshers[side].matrices(mesh);
+    if (mesh && task === 'weights' && selected !== null) this.refreshers[side].row(mesh);
+  }
+
+  /** What the selected face is to the side's operator. */
+  face(side: Side): void {
+    const { mesh } = this.app.results.get();
+    const { task, selectedFace } = this.app.state.get();
+    if (mesh && task === 'weights' && selectedFace !== null) this.refreshers[side].face(mesh);
   }
 
   /** Area and volume of a side that stands on the loaded mesh. */
@@ -153,9 +164,9 @@ export class Answers {
 
   private question(side: Side, kind: Kind): Question {
     const { state, results } = this.app;
-    const { sides: choices, vertexWeights, harmonic, dual } = state.get();
-    const operator = [choices[side], vertexWeights[side]];
-    const about = kind === 'dual' ? dual.mu : kind === 'harmonic' ? [operator, harmonic.pins] : operator;
+    const { sides: choices, vertexWeights, harmonic, dual, selected, selectedFace } = state.get();
+    const more: Partial<Record<Kind, unknown>> = { harmonic: harmonic.pins, row: selected, face: selectedFace };
+    const about = kind === 'dual' ? dual.mu : [choices[side], vertexWeights[side], more[kind]];
     return { surface: results.get()[side].positions, about: JSON.stringify(about) };
   }
 
@@ -168,13 +179,23 @@ export class Answers {
   private async ask(kind: Kind, mesh: Mesh, side: Side, work: Run): Promise<Partial<SideResults> | null> {
     const { state } = this.app;
     const run = { side, ...work };
-    const { sides: choices, vertexWeights, harmonic } = state.get();
+    const { sides: choices, vertexWeights, harmonic, selected, selectedFace } = state.get();
     const spec = specOf(choices[side], vertexWeights[side], mesh.vertices);
     switch (kind) {
       case 'weights':
         return { weights: await mesh.weights(spec, run) };
       case 'matrices':
         return { matrices: await mesh.matrices(spec, run) };
+      case 'row': {
+        if (selected === null) return null;
+        const vertex = selected;
+        return { row: { ...(await mesh.row(spec, vertex, run)), vertex } };
+      }
+      case 'face': {
+        if (selectedFace === null) return null;
+        const face = selectedFace;
+        return { face: { ...(await mesh.face(spec, face, run)), face } };
+      }
       case 'harmonic': {
         const { pins } = harmonic;
         if (pins.length === 0) return null;

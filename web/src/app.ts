@@ -115,10 +115,14 @@ export class App {
   select(vertex: number | null): void {
     if (this.results.get().place) this.results.set({ place: null });
     if (vertex === this.state.get().selected) return;
-    const first = this.state.get().selected === null;
     this.state.set({ selected: vertex });
-    // Rows are not asked for until somebody looks at one.
-    if (first) for (const side of sides) this.answers.row(side);
+    for (const side of sides) this.answers.row(side);
+  }
+
+  selectFace(face: number | null): void {
+    if (face === this.state.get().selectedFace) return;
+    this.state.set({ selectedFace: face });
+    for (const side of sides) this.answers.face(side);
   }
 
   /** Selects where something is wrong, and has the camera turned to it. */
@@ -130,8 +134,9 @@ export class App {
     this.results.set({ place });
   }
 
-  hover(vertex: number | null): void {
-    if (vertex !== this.results.get().hovered) this.results.set({ hovered: vertex });
+  hover(vertex: number | null, face: number | null = null): void {
+    const { hovered, hoveredFace } = this.results.get();
+    if (vertex !== hovered || face !== hoveredFace) this.results.set({ hovered: vertex, hoveredFace: face });
   }
 
   /** To the next vertex, or the one before. */
@@ -140,6 +145,13 @@ export class App {
     if (!mesh) return;
     const { selected } = this.state.get();
     this.select(selected === null ? 0 : (selected + by + mesh.vertices) % mesh.vertices);
+  }
+
+  walkFaces(by: number): void {
+    const { mesh } = this.results.get();
+    if (!mesh) return;
+    const { selectedFace } = this.state.get();
+    this.selectFace(selectedFace === null ? 0 : (selectedFace + by + mesh.faces) % mesh.faces);
   }
 
   // --- whole states -------------------------------------------------------------------------------------------------------
@@ -151,10 +163,11 @@ export class App {
     const elsewhere = JSON.stringify(state.source) !== JSON.stringify(now.source) || !this.results.get().mesh;
     if (elsewhere && (await this.meshes.again(state))) return false;
     // The surfaces move when they are there.
-    const { moves: _, step: __, sides: choices, selected, ...rest } = state;
-    const vertices = this.results.get().mesh?.vertices ?? 0;
+    const { moves: _, step: __, sides: choices, selected, selectedFace, ...rest } = state;
+    const { vertices = 0, faces = 0 } = this.results.get().mesh ?? {};
     // A link's file may be another one of that name.
-    this.state.set({ ...rest, selected: selected !== null && selected < vertices ? selected : null });
+    const there = (number: number | null, count: number) => (number !== null && number < count ? number : null);
+    this.state.set({ ...rest, selected: there(selected, vertices), selectedFace: there(selectedFace, faces) });
     for (const side of sides)
       if (JSON.stringify(choices[side]) !== JSON.stringify(this.state.get().sides[side]))
         this.setChoice(side, choices[side]);

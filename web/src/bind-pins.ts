@@ -6,7 +6,7 @@ import { numberField } from './layout/controls.js';
 import { neighbours } from './neighbours.js';
 import { onDrag } from './scene/drag.js';
 import { type Label, labelLimit } from './scene/labels.js';
-import { fingerReach, type Viewer } from './scene/viewer.js';
+import type { Viewer } from './scene/viewer.js';
 import { type Pin, type View, views } from './state.js';
 
 /** Two clicks within this time, in ms, open the value. */
@@ -119,7 +119,7 @@ class PinLabel implements Label {
       const { left, right, top, bottom } = this.places[view].getBoundingClientRect();
       return left <= x && x < right && top <= y && y < bottom;
     });
-    return over ? this.viewer.pick(over, x, y, touch ? fingerReach : undefined) : null;
+    return over ? this.viewer.pick(over, x, y, touch) : null;
   }
 
   private key(event: KeyboardEvent): void {

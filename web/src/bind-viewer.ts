@@ -1,4 +1,5 @@
 import type { App } from './app.js';
+import { bindSelection } from './bind-selection.js';
 import { colouring, outsideOf } from './colouring.js';
 import { isTyping } from './dom.js';
 import type { Geometry, Side } from './polylap.js';
@@ -8,7 +9,7 @@ import { wheelHint } from './scene/host-scroll.js';
 import { chain, dualLayers, negativeLines } from './scene/layers.js';
 import { Mark } from './scene/markers.js';
 import { onTap, type Tap } from './scene/taps.js';
-import { fingerReach, type Viewer } from './scene/viewer.js';
+import type { Viewer } from './scene/viewer.js';
 import { presets, type Source, sides, type View, views } from './state.js';
 
 /** Isolines divide the range of colours into so many. */
@@ -125,7 +126,6 @@ export function bindViewer(app: App, viewer: Viewer): void {
       const outside = task === 'harmonic' && own ? outsideOf(own) : [];
       const beyond = (where: Outside) => outside.flatMap(([vertex, side]) => (side === where ? [vertex] : []));
       viewer.setMarks(side, [
-        { mark: Mark.hovered, vertices: results.hovered === null ? [] : [results.hovered] },
         {
           mark: Mark.selected,
           vertices: results.place?.side === side ? results.place.vertices : selected === null ? [] : [selected],
@@ -136,8 +136,13 @@ export function bindViewer(app: App, viewer: Viewer): void {
       ]);
     }
   };
-  app.results.watch(({ a, b, hovered, place, mesh }) => [a.harmonic, b.harmonic, hovered, place, mesh], showMarks);
-  app.state.watch((state) => [state.task, state.selected, state.harmonic.pins], showMarks);
+  app.results.watch(({ a, b, place, mesh }) => [a.harmonic, b.harmonic, place, mesh], showMarks);
+  app.state.watch((state) => [state.task, state.harmonic.pins], showMarks);
+  app.results.watch(
+    (results) => [results.hovered, results.mesh],
+    (hovered, _mesh) => viewer.hover(hovered),
+  );
+  bindSelection(app, viewer, showMarks);
 
   const recolour = () => viewer.recolour();
   app.state.watch((state) => [state.theme], recolour);
@@ -178,14 +183,15 @@ export function bindInput(app: App, viewer: Viewer, places: Record<View, HTMLEle
   for (const side of views) {
     const view = places[side];
     let looking = 0;
-    const meant = ({ x, y, touch }: Tap) => viewer.pick(side, x, y, touch ? fingerReach : undefined);
+    const meant = ({ x, y, touch }: Tap) => viewer.meant(side, x, y, touch);
     onTap(view, {
       tap: (at) => {
-        const vertex = meant(at);
-        if (vertex !== null) app.select(vertex);
+        const { vertex, face } = meant(at);
+        if (face !== null && app.state.get().task === 'weights') app.selectFace(face);
+        else if (vertex !== null) app.select(vertex);
       },
       single: (at) => {
-        const vertex = app.state.get().task === 'harmonic' ? meant(at) : null;
+        const vertex = app.state.get().task === 'harmonic' ? meant(at).vertex : null;
         if (vertex !== null) app.touchPin(vertex);
       },
       double: () => viewer.camera.reset(),
@@ -193,8 +199,13 @@ export function bindInput(app: App, viewer: Viewer, places: Record<View, HTMLEle
     view.addEventListener('pointermove', ({ buttons, pointerType, clientX, clientY }) => {
       if (buttons !== 0 || pointerType === 'touch') return;
       cancelAnimationFrame(looking);
-      looking = requestAnimationFrame(() => app.hover(viewer.pick(side, clientX, clientY)));
+      looking = requestAnimationFrame(() => {
+        const { vertex, face } = viewer.meant(side, clientX, clientY);
+        if (face !== null && app.state.get().task === 'weights') app.hover(null, face);
+        else app.hover(vertex);
+      });
     });
+    view.addEventListener('pointerdown', () => app.hover(null));
     view.addEventListener('pointerleave', () => {
       cancelAnimationFrame(looking);
       app.hover(null);
@@ -224,6 +235,8 @@ export function bindKeys(app: App, help: () => void): void {
     } else if (isTyping(target)) return;
     else if (event.key === '[') app.walk(-1);
     else if (event.key === ']') app.walk(1);
+    else if (event.key === '{') app.walkFaces(-1);
+    else if (event.key === '}') app.walkFaces(1);
     else if (event.key === '?') help();
     else return;
     event.preventDefault();

@@ -4,7 +4,6 @@ import type { App } from './app.js';
 import { csv, matrixMarket } from './numbers-text.js';
 import type { MeshFormat, Side } from './polylap.js';
 import { known } from './results.js';
-import { sparseRow } from './sparse-row.js';
 import { nameOf, operatorOf, sides } from './state.js';
 
 export interface SavedFile {
@@ -53,13 +52,13 @@ export async function matrixFile(app: App, side: Side, which: 'stiffness' | 'mas
 /** The row of the selected vertex on both sides; null where no row is known. */
 export function rowFile(app: App): SavedFile | null {
   const { selected } = app.state.get();
-  const results = app.results.get();
-  const matrices = sides.map((side) => known(results[side].matrices)?.stiffness);
-  if (selected === null || matrices.some((matrix) => matrix === undefined)) return null;
-  const [a, b] = matrices.map((matrix) => (matrix ? sparseRow(matrix, selected) : new Map<number, number>()));
-  const columns = [...new Set([...(a?.keys() ?? []), ...(b?.keys() ?? [])])].sort((p, q) => p - q);
-  const rows = columns.map((j) => [j, a?.get(j) ?? 0, b?.get(j) ?? 0]);
-  return text(`${stem(app)}-row-${selected}.csv`, csv(['column', 'S_A', 'S_B'], rows));
+  const { a, b } = app.results.get();
+  const rows = [known(a.row), known(b.row)].map((row) => (row?.vertex === selected ? row : null));
+  if (selected === null || rows.includes(null)) return null;
+  const [one, other] = rows.map((row) => new Map([...(row?.columns ?? [])].map((j, k) => [j, row?.values[k] ?? 0])));
+  const columns = [...new Set([...(one?.keys() ?? []), ...(other?.keys() ?? [])])].sort((p, q) => p - q);
+  const lines = columns.map((j) => [j, one?.get(j) ?? 0, other?.get(j) ?? 0]);
+  return text(`${stem(app)}-row-${selected}.csv`, csv(['column', 'S_A', 'S_B'], lines));
 }
 
 /** Per vertex, what the surfaces and the harmonic functions are; null without a mesh. */

@@ -184,6 +184,7 @@ export class Meshes {
       error: null,
       report: reportOf(mesh, label),
       hovered: null,
+      hoveredFace: null,
       place: null,
       notice: describe(mesh, label),
     });

@@ -68,6 +68,7 @@ export function readState(value: unknown): State {
     mode: perSide('mode', (mode, name) => (mode === null ? null : whole(mode, 0, maxIndex, name))),
     negativeShown: negativeShown as State['negativeShown'],
     selected: all.selected === null ? null : whole(all.selected, 0, maxIndex, 'the selected vertex'),
+    selectedFace: all.selectedFace == null ? null : whole(all.selectedFace, 0, maxIndex, 'the selected face'),
     shown: among(all.shown, views, 'the view shown'),
     delta: readDelta(all.delta),
     camera: readCamera(all.camera),

@@ -3,9 +3,11 @@ import type {
   Check,
   ConvergenceStudy,
   Dual,
+  FaceReport,
   Harmonic,
   Matrices,
   Mesh,
+  Row,
   Shape,
   Side,
   SmoothingSolve,
@@ -24,6 +26,10 @@ export interface SideResults {
   weights: Weights | string | null;
   harmonic: Harmonic | string | null;
   matrices: Matrices | string | null;
+  /** Of the selected vertex, or of the one selected before until its own is there. */
+  row: (Row & { vertex: number }) | string | null;
+  /** Of the selected face; the same. */
+  face: (FaceReport & { face: number }) | string | null;
   check: Check | string | null;
   dual: Dual | string | null;
   /** Of the operator, on meshes of the study's own. */
@@ -66,6 +72,8 @@ export interface Results {
   playing: boolean;
   /** Vertex under the pointer. */
   hovered: number | null;
+  /** In Weights, the face that a click would select, where it would select no vertex. */
+  hoveredFace: number | null;
   /** What the camera was turned to. */
   place: Place | null;
   /** What the next undo would take back, and the next redo bring again. */
@@ -82,6 +90,8 @@ export function freshSide(positions: Float32Array = new Float32Array(0)): SideRe
     weights: null,
     harmonic: null,
     matrices: null,
+    row: null,
+    face: null,
     check: null,
     dual: null,
     study: null,
@@ -100,6 +110,7 @@ export function noResults(): Results {
     busy: null,
     playing: false,
     hovered: null,
+    hoveredFace: null,
     place: null,
     undoes: null,
     redoes: null,

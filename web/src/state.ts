@@ -83,6 +83,8 @@ export interface State {
   negativeShown: Readonly<Record<Task, boolean>>;
   /** The vertex whose numbers are read. */
   selected: number | null;
+  /** The face that is looked into. */
+  selectedFace: number | null;
   /** Which view is seen where there is room for one. */
   shown: View;
   /** The third view: whether there is one, the difference so many times, or (swipe) that share of it A and the rest B. */
@@ -128,6 +130,7 @@ export const studied: PropertyId = 'convergent';
 /** What belongs to one mesh, and goes with it. */
 export const forAnotherMesh = (state: State) => ({
   selected: null,
+  selectedFace: null,
   camera: null,
   vertexWeights: { a: {}, b: {} },
   moves: [],
@@ -137,7 +140,12 @@ export const forAnotherMesh = (state: State) => ({
 });
 
 /** The same of a state whose mesh is made again; what it was smoothed to comes after. */
-export const belongings = ({ selected, vertexWeights, harmonic }: State) => ({ selected, vertexWeights, harmonic });
+export const belongings = ({ selected, selectedFace, vertexWeights, harmonic }: State) => ({
+  selected,
+  selectedFace,
+  vertexWeights,
+  harmonic,
+});
 
 export function initialState(): State {
   return {
@@ -155,6 +163,7 @@ export function initialState(): State {
     mode: { a: null, b: null },
     negativeShown: { weights: true, smooth: true, harmonic: false, dual: false, check: false },
     selected: null,
+    selectedFace: null,
     shown: 'a',
     delta: { open: false, gain: 1, swipe: null },
     camera: null,

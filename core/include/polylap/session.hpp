@@ -10,6 +10,7 @@
 
 #include "polylap/apply/diagnostics.hpp"
 #include "polylap/apply/display.hpp"
+#include "polylap/apply/inspect.hpp"
 #include "polylap/apply/properties.hpp"
 #include "polylap/apply/smoothing.hpp"
 #include "polylap/mesh/repair.hpp"
@@ -89,6 +90,21 @@ public:
     /// As many lines as a picture can show: a face of n corners has up to n² pairs, each across up to n triangles.
     static constexpr std::size_t most_segments = 400'000;
     Result<Weights> weights(Side side, Monitor monitor = {});
+
+    struct Row {
+        MatrixRow entries;
+        /// 6 a segment: lines from the vertex to the others of its row, laid on the surface as in Weights.
+        std::vector<float> segments;
+        std::vector<float> segment_starts;
+        std::vector<Index> segment_pairs;  ///< Per segment, index into entries.columns.
+    };
+    /// The row of a vertex in the matrices of the side's operator on its surface: at once where they are kept.
+    /// @error bad_argument (no such vertex), and see build_operator
+    Result<Row> row(Side side, Index vertex, Monitor monitor = {});
+
+    /// A face of the side's surface, as its operator sees it.
+    /// @error see inspect_face
+    Result<FaceReport> face(Side side, Index face) const;
 
     struct Shape {
         ShapeMeasures measures;

@@ -38,26 +38,30 @@ WeightSummary summarise_weights(const SparseMatrix& stiffness) {
     return summary;
 }
 
+double non_planarity(std::span<const Vector3> corners) {
+    const Vector3 a = vector_area(corners);
+    if (corners.size() == 3 || has_zero_area(corners, a)) return 0;
+    const double area = a.stableNorm();
+    Vector3 centre = Vector3::Zero();
+    for (const Vector3& x : corners) {
+        centre += x - corners[0];
+    }
+    centre /= static_cast<double>(corners.size());
+    double squares = 0;
+    for (const Vector3& x : corners) {
+        const double height = (a / area).dot(x - corners[0] - centre);
+        squares += height * height;
+    }
+    return std::sqrt(squares / static_cast<double>(corners.size()) / area);
+}
+
 ShapeMeasures measure_shape(const PolygonMesh& mesh, const Topology& topology) {
     ShapeMeasures measures;
     std::vector<Vector3> corners;
     for (Index f = 0; f < mesh.face_count(); ++f) {
         gather_corners(mesh, f, corners);
-        const Vector3 a = vector_area(corners);
-        const double area = a.stableNorm();
-        measures.area += area;
-        if (corners.size() == 3 || has_zero_area(corners, a)) continue;
-        Vector3 centre = Vector3::Zero();
-        for (const Vector3& x : corners) {
-            centre += x - corners[0];
-        }
-        centre /= static_cast<double>(corners.size());
-        double squares = 0;
-        for (const Vector3& x : corners) {
-            const double height = (a / area).dot(x - corners[0] - centre);
-            squares += height * height;
-        }
-        measures.mean_non_planarity += std::sqrt(squares / static_cast<double>(corners.size()) / area);
+        measures.area += vector_area(corners).stableNorm();
+        measures.mean_non_planarity += non_planarity(corners);
     }
     measures.mean_non_planarity /= mesh.face_count();
     for (const Edge& e : topology.edges) {

@@ -35,6 +35,7 @@ constinit const OperatorInfo alexa_wardetzky_info{
         "Herholz 2012, eq. 4.29",
     .summary = "Edge vectors against the vector area of each face, stabilised by λ where they see nothing.",
     .parameters = parameters,
+    .sum_over_faces = true,
     .claims = {.symmetric = {Claim::yes, "a sum of symmetric matrices of faces"},
                .local = {Claim::yes, "a sum over faces"},
                .positive_weights = {Claim::no, "λ > ½ makes every diagonal of a square negative"},

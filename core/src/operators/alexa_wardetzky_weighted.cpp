@@ -112,6 +112,7 @@ constinit const OperatorInfo alexa_wardetzky_weighted_info{
     .summary = "Alexa and Wardetzky's operator with points on the edges that weights of the vertices move.",
     .parameters = parameters,
     .takes_vertex_weights = true,
+    .sum_over_faces = true,
     .claims = {.symmetric = {Claim::triangles, "on larger faces only few weights leave it symmetric"},
                .local = {Claim::yes, "a sum over faces"},
                .positive_weights = {Claim::no, "already without weights of vertices, λ > ½ makes diagonals negative"},

@@ -22,6 +22,8 @@ constinit const OperatorInfo cotan_info{
         "2(1), 1993; Herholz 2012, eq. 3.16",
     .summary = "Linear finite elements on the triangles that the faces are cut into, in space.",
     .parameters = triangulated_parameters,
+    .sum_over_faces = true,
+    .rule = triangulated_rule,
     .claims = {.symmetric = {Claim::yes, "cotangents weigh both directions of an edge alike"},
                .local = {Claim::yes, "a sum over triangles inside faces"},
                .positive_weights = {Claim::no, "two angles opposite an edge can exceed 180° in sum"},
@@ -33,7 +35,7 @@ constinit const OperatorInfo cotan_info{
                               "linear finite elements; not with the mass ring, which is six times the area"}},
     .build =
         [](const PolygonMesh& mesh, const OperatorSpec& spec, OperatorMatrices& out, Monitor monitor) {
-            return triangulated_operator(mesh, {}, static_cast<TriangulationRule>(static_cast<int>(spec.values[0])),
+            return triangulated_operator(mesh, {}, triangulated_rule(spec),
                                          static_cast<MassRule>(static_cast<int>(spec.values[1])), out, monitor);
         },
 };

@@ -29,6 +29,10 @@ Status build(const PolygonMesh& mesh, TriangulationRule rule, OperatorMatrices& 
 constexpr std::array parameters{
     choice_parameter("rule", "rule", triangulation_rule_names, "how the projected face is triangulated")};
 
+TriangulationRule rule_of(const OperatorSpec& spec) {
+    return static_cast<TriangulationRule>(static_cast<int>(spec.values[0]));
+}
+
 }  // namespace
 
 Result<SparseMatrix> planar_stiffness(const PolygonMesh& mesh, PlanarOptions options, Monitor monitor) {
@@ -46,6 +50,8 @@ constinit const OperatorInfo planar_info{
         "Each face is projected along its vector area and triangulated there; the cotangents of its triangles are "
         "summed.",
     .parameters = parameters,
+    .sum_over_faces = true,
+    .rule = rule_of,
     .claims = {.symmetric = {Claim::yes, "cotangents weigh both directions of an edge alike"},
                .local = {Claim::yes, "a sum over faces"},
                .positive_weights = {Claim::no, "two angles opposite an edge can exceed 180° in sum"},
@@ -54,10 +60,8 @@ constinit const OperatorInfo planar_info{
                .linear_precision = {Claim::yes, "planar faces are projected onto themselves"},
                .maximum_principle = {Claim::no, "a negative weight lets values overshoot"},
                .convergent = {Claim::yes, "linear finite elements on the projected triangles"}},
-    .build =
-        [](const PolygonMesh& mesh, const OperatorSpec& spec, OperatorMatrices& out, Monitor monitor) {
-            return build(mesh, static_cast<TriangulationRule>(static_cast<int>(spec.values[0])), out, monitor);
-        },
+    .build = [](const PolygonMesh& mesh, const OperatorSpec& spec, OperatorMatrices& out,
+                Monitor monitor) { return build(mesh, rule_of(spec), out, monitor); },
 };
 
 }  // namespace polylap

@@ -27,6 +27,8 @@ constinit const OperatorInfo weighted_cotan_info{
         "Dual over primal lengths, as for the cotan operator, with dual edges that weights of the vertices move.",
     .parameters = triangulated_parameters,
     .takes_vertex_weights = true,
+    .sum_over_faces = true,
+    .rule = triangulated_rule,
     .claims = {.symmetric = {Claim::yes, "an edge and its dual have one length each"},
                .local = {Claim::yes, "a sum over triangles inside faces"},
                .positive_weights = {Claim::no, "dual edges may run backwards"},
@@ -37,8 +39,7 @@ constinit const OperatorInfo weighted_cotan_info{
                .convergent = {Claim::no, "large weights can even make it singular"}},
     .build =
         [](const PolygonMesh& mesh, const OperatorSpec& spec, OperatorMatrices& out, Monitor monitor) {
-            return triangulated_operator(mesh, spec.vertex_weights,
-                                         static_cast<TriangulationRule>(static_cast<int>(spec.values[0])),
+            return triangulated_operator(mesh, spec.vertex_weights, triangulated_rule(spec),
                                          static_cast<MassRule>(static_cast<int>(spec.values[1])), out, monitor);
         },
 };

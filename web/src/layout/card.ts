@@ -98,6 +98,10 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
   const showVertex = () => {
     const results = app.results.get();
     const { selected, task } = app.state.get();
+    if (results.hoveredFace !== null) {
+      put(at, `face ${results.hoveredFace}`);
+      return;
+    }
     const vertex = results.hovered ?? selected;
     const { harmonic } = results[side];
     const shown = task === 'harmonic' ? known(harmonic) : null;
@@ -120,7 +124,7 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
   };
   app.results.watch((results) => [results[side].harmonic], showOutside);
   app.state.watch((state) => [state.task], showOutside);
-  app.results.watch((results) => [results.hovered, results[side].harmonic], showVertex);
+  app.results.watch((results) => [results.hovered, results.hoveredFace, results[side].harmonic], showVertex);
   app.state.watch((state) => [state.selected, state.task], showVertex);
   return { element, view };
 }

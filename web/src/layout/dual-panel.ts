@@ -5,8 +5,8 @@ import type { Dual, Geometry } from '../polylap.js';
 import { known } from '../results.js';
 import { operatorOf, type State, sides } from '../state.js';
 import { button, numberField, slider } from './controls.js';
+import { vertexField } from './number-walk.js';
 import { sideTable } from './table.js';
-import { vertexField } from './vertex-field.js';
 import { vertexWeights } from './vertex-weights.js';
 
 /** The slider's left end is 0, exactly orthogonal; then powers of ten. */

@@ -8,8 +8,8 @@ import type { Harmonic, Mesh } from '../polylap.js';
 import { sides } from '../state.js';
 import { coloursSection } from './colours-section.js';
 import { button, menu, numberField } from './controls.js';
+import { vertexField } from './number-walk.js';
 import { sideTable } from './table.js';
-import { vertexField } from './vertex-field.js';
 
 /** Longer lists of pins are counted, not listed. */
 const listed = 60;

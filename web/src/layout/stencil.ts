@@ -1,3 +1,4 @@
+import { facesAround } from '../faces-around.js';
 import type { Geometry } from '../polylap.js';
 
 const size = 132;
@@ -8,7 +9,7 @@ type Vector = [number, number, number];
 
 /** The row of a vertex as spokes in its tangent plane: as thick as |w|, dashed where w < 0, over the faces around it. */
 export function stencil(
-  { offsets, corners }: Geometry,
+  geometry: Geometry,
   points: Float32Array,
   vertex: number,
   weights: ReadonlyMap<number, number>,
@@ -16,7 +17,8 @@ export function stencil(
 ): SVGSVGElement {
   const at = (i: number): Vector => [points[3 * i] ?? 0, points[3 * i + 1] ?? 0, points[3 * i + 2] ?? 0];
   const middle = at(vertex);
-  const faces = facesAround(offsets, corners, vertex);
+  const { offsets, corners } = geometry;
+  const faces = [...facesAround(geometry, vertex)].map((f) => [...corners.subarray(offsets[f], offsets[f + 1])]);
   const normal = faces
     .map((face) => vectorArea(face.map((i) => minus(at(i), middle))))
     .reduce((sum, area) => [sum[0] + area[0], sum[1] + area[1], sum[2] + area[2]], [0, 0, 0] as Vector);
@@ -63,15 +65,6 @@ function make(tag: string, attributes: Record<string, string | number | undefine
   const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
   return element;
-}
-
-function facesAround(offsets: Int32Array, corners: Int32Array, vertex: number): number[][] {
-  const faces: number[][] = [];
-  for (let f = 0; f + 1 < offsets.length; f++) {
-    const face = corners.subarray(offsets[f], offsets[f + 1]);
-    if (face.includes(vertex)) faces.push([...face]);
-  }
-  return faces;
 }
 
 function vectorArea(polygon: Vector[]): Vector {

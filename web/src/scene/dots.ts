@@ -14,21 +14,25 @@ void main() {
 const fragmentShader = /* glsl */ `
 uniform vec3 ink;
 uniform vec3 card;
-uniform float hollow;
+uniform int shape;
 out vec4 colour;
 void main() {
   float r = length(2.0 * gl_PointCoord - 1.0);
   float soft = fwidth(r);
   float body = 1.0 - smoothstep(1.0 - soft, 1.0, r);
   if (body < 0.04) discard;
-  float inside = hollow * (1.0 - smoothstep(0.5 - soft, 0.5, r));
+  vec2 p = abs(2.0 * gl_PointCoord - 1.0);
+  float inside = shape == 1 ? 1.0 - smoothstep(0.5 - soft, 0.5, r) : 0.0;
+  if (shape == 2) inside = p.x < 0.58 && p.y < 0.16 ? 0.0 : 1.0;
   colour = vec4(mix(ink, card, inside), body);
 }`;
 
+const shapes = ['full', 'hollow', 'minus'] as const;
+
 export interface Dot {
-  ink: 'accent' | 'ink';
-  /** Told apart by shape, too. */
-  hollow: boolean;
+  ink: 'accent' | 'negative';
+  /** What tells them apart beside colour. */
+  shape: (typeof shapes)[number];
   /** In CSS pixels, where they have room. */
   size: number;
   /** How much nearer to the eye they are drawn, a length. */
@@ -58,7 +62,7 @@ export class Dots {
         pixelRatio: { value: 1 },
         size: { value: dot.size },
         lift: { value: dot.lift },
-        hollow: { value: dot.hollow ? 1 : 0 },
+        shape: { value: shapes.indexOf(dot.shape) },
         ink: { value: new Vector3() },
         card: { value: new Vector3() },
       },

@@ -1,5 +1,6 @@
 import type { Camera, Vector3 } from 'three';
 import { h } from '../dom.js';
+import { hidden } from './ray.js';
 
 /** More labels than this would cover the mesh. */
 export const labelLimit = 40;
@@ -108,33 +109,3 @@ export class Labels {
 }
 
 const clamp = (value: number, most: number) => Math.max(0, Math.min(value, most));
-
-/** Whether a triangle lies between the eye and a vertex (Möller–Trumbore, triangles at the vertex left out). */
-export function hidden(eye: Vector3, vertex: number, points: Float32Array, triangles: Int32Array): boolean {
-  const [ex, ey, ez] = [eye.x, eye.y, eye.z];
-  const at = (i: number) => points[i] as number;
-  const dx = at(3 * vertex) - ex;
-  const dy = at(3 * vertex + 1) - ey;
-  const dz = at(3 * vertex + 2) - ez;
-  for (let t = 0; t < triangles.length; t += 3) {
-    const i = triangles[t] as number;
-    const j = triangles[t + 1] as number;
-    const k = triangles[t + 2] as number;
-    if (i === vertex || j === vertex || k === vertex) continue;
-    const [ax, ay, az] = [at(3 * i), at(3 * i + 1), at(3 * i + 2)];
-    const [ux, uy, uz] = [at(3 * j) - ax, at(3 * j + 1) - ay, at(3 * j + 2) - az];
-    const [vx, vy, vz] = [at(3 * k) - ax, at(3 * k + 1) - ay, at(3 * k + 2) - az];
-    const [px, py, pz] = [dy * vz - dz * vy, dz * vx - dx * vz, dx * vy - dy * vx];
-    const determinant = ux * px + uy * py + uz * pz;
-    if (determinant === 0) continue;
-    const [sx, sy, sz] = [ex - ax, ey - ay, ez - az];
-    const b1 = (sx * px + sy * py + sz * pz) / determinant;
-    if (b1 < 0 || b1 > 1) continue;
-    const [qx, qy, qz] = [sy * uz - sz * uy, sz * ux - sx * uz, sx * uy - sy * ux];
-    const b2 = (dx * qx + dy * qy + dz * qz) / determinant;
-    if (b2 < 0 || b1 + b2 > 1) continue;
-    const along = (vx * qx + vy * qy + vz * qz) / determinant;
-    if (along > 0 && along < 0.999) return true;
-  }
-  return false;
-}

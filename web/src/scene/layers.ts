@@ -1,11 +1,22 @@
 /** What is drawn over a surface besides its marks. */
+import { facesAround } from '../faces-around.js';
 import type { Dual, Geometry, Weights } from '../polylap.js';
 import type { VertexWeights } from '../state.js';
 import { Dots } from './dots.js';
 import { Lines, type Segments } from './lines.js';
 
 export type Layer = Lines | Dots;
-export type LayerName = 'negative' | 'dualEdges' | 'dualVertices' | 'edgePoints' | 'weights' | 'place';
+export type LayerName =
+  | 'negative'
+  | 'dualEdges'
+  | 'dualVertices'
+  | 'edgePoints'
+  | 'weights'
+  | 'place'
+  | 'spokes'
+  | 'minusSpokes'
+  | 'minuses'
+  | 'face';
 
 /** Dashed, so that they are never told by colour alone. */
 export const negativeLines = (weights: Weights): Lines =>
@@ -17,8 +28,8 @@ export function dualLayers(dual: Dual, edge: number): Partial<Record<LayerName, 
   const spacing = edge;
   return {
     dualEdges: new Lines(dualSegments(dual), { ink: 'accent', dashed: false, width: 1.75, lift }),
-    dualVertices: new Dots(dual.positions, { ink: 'accent', hollow: false, size: 7, lift, spacing }),
-    edgePoints: new Dots(insidePoints(dual), { ink: 'accent', hollow: true, size: 6, lift, spacing }),
+    dualVertices: new Dots(dual.positions, { ink: 'accent', shape: 'full', size: 7, lift, spacing }),
+    edgePoints: new Dots(insidePoints(dual), { ink: 'accent', shape: 'hollow', size: 6, lift, spacing }),
   };
 }
 
@@ -107,11 +118,7 @@ const unit = ([x, y, z]: Vector): Vector => {
 
 /** The mean of the unit normals of the faces around a vertex. */
 export function vertexNormal(geometry: Geometry, normals: Float32Array, vertex: number): Vector {
-  const { offsets, corners } = geometry;
   const sum: Vector = [0, 0, 0];
-  for (let f = 0; f + 1 < offsets.length; f++) {
-    if (!corners.subarray(offsets[f], offsets[f + 1]).includes(vertex)) continue;
-    for (const c of [0, 1, 2] as const) sum[c] += normals[3 * f + c] ?? 0;
-  }
+  for (const f of facesAround(geometry, vertex)) for (const c of [0, 1, 2] as const) sum[c] += normals[3 * f + c] ?? 0;
   return unit(sum);
 }

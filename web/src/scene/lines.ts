@@ -34,6 +34,7 @@ ${shared}
 in vec3 from;
 in vec3 to;
 in float start;
+in float share;
 void main() {
   vec4 a = raised(from);
   vec4 b = raised(to);
@@ -41,7 +42,7 @@ void main() {
   float length2 = dot(along, along);
   vec2 across = length2 > 0.0 ? vec2(-along.y, along.x) * inversesqrt(length2) : vec2(0.0);
   vec4 p = mix(a, b, position.x);
-  p.xy += across * position.y * 2.0 * halfWidth / viewport * p.w;
+  p.xy += across * position.y * 2.0 * share * halfWidth / viewport * p.w;
   vAlong = start + position.x * distance(from, to);
   gl_Position = lifted(p);
 }`;
@@ -59,11 +60,14 @@ uniform vec3 ink;
 uniform float period;
 uniform float drawn;
 uniform float opacity;
+uniform vec3 card;
+uniform bool filled;
 in float vAlong;
 out vec4 colour;
 void main() {
-  if (fract(vAlong / period) > drawn) discard;
-  colour = vec4(ink, opacity);
+  bool gap = fract(vAlong / period) > drawn;
+  if (gap && !filled) discard;
+  colour = vec4(gap ? card : ink, opacity);
 }`;
 
 /** Mean length in pixels from which on lines are fully drawn. */
@@ -74,10 +78,12 @@ export interface Segments {
   segments: Float32Array;
   /** Length along its line; all 0 for lines that are not dashed. */
   segmentStarts: Float32Array;
+  /** How wide each is, a share of the stroke's width; without, all are as wide as that. */
+  shares?: Float32Array;
 }
 
 export interface Stroke {
-  ink: 'negative' | 'accent';
+  ink: 'negative' | 'accent' | 'ink';
   dashed: boolean;
   /** In CSS pixels. */
   width: number;
@@ -85,6 +91,12 @@ export interface Stroke {
   lift: number;
   /** Also where the segments are short; others become a tint there. */
   opaque?: boolean;
+  /** Gaps between dashes are filled with the colour of the card: what lies below does not show through. */
+  filled?: boolean;
+  /** A dash and its gap, in CSS pixels, about. */
+  period?: number;
+  /** At most that share of their mean length on screen wide. */
+  slender?: number;
 }
 
 /** Lines on a surface, or close to it. */
@@ -93,11 +105,13 @@ export class Lines {
   readonly material: ShaderMaterial;
   readonly ink: Stroke['ink'];
   private readonly meanLength: number;
-  private readonly width: number;
 
-  constructor(lines: Segments, { ink, dashed, width, lift, opaque = false }: Stroke) {
+  constructor(
+    lines: Segments,
+    private readonly stroke: Stroke,
+  ) {
+    const { ink, dashed, lift, opaque = false, filled = false } = stroke;
     this.ink = ink;
-    this.width = width;
     const total = lines.segmentStarts.length;
     const hairlines = total > wideLimit;
     this.material = new ShaderMaterial({
@@ -115,8 +129,11 @@ export class Lines {
         lift: { value: lift },
         opacity: { value: 1 },
         ink: { value: new Vector3() },
+        card: { value: new Vector3() },
+        filled: { value: filled },
       },
     });
+    Object.assign(this.material.defaultAttributeValues, { share: [1] });
     this.meanLength = opaque ? Infinity : meanLength(lines.segments);
     this.object = hairlines
       ? new LineSegments(thinGeometry(lines), this.material)
@@ -131,9 +148,10 @@ export class Lines {
     viewport?.value.set(width * pixelRatio, height * pixelRatio);
     // Lines a few pixels apart would hide the surface: they become a tint.
     if (opacity) opacity.value = Math.min(1, Math.max(0.12, this.meanLength / lengthPerPixel / clearLength));
-    if (halfWidth) halfWidth.value = (this.width / 2) * pixelRatio;
+    const { width: full, slender = Infinity } = this.stroke;
+    if (halfWidth) halfWidth.value = (Math.min(full, (slender * this.meanLength) / lengthPerPixel) / 2) * pixelRatio;
     // In powers of two: dashes keep their size on screen without crawling as the camera moves.
-    if (period) period.value = 2 ** Math.round(Math.log2(6 * lengthPerPixel));
+    if (period) period.value = 2 ** Math.round(Math.log2((this.stroke.period ?? 6) * lengthPerPixel));
   }
 
   dispose(): void {
@@ -142,7 +160,7 @@ export class Lines {
   }
 }
 
-function wideGeometry({ segments, segmentStarts }: Segments): BufferGeometry {
+function wideGeometry({ segments, segmentStarts, shares }: Segments): BufferGeometry {
   const geometry = new InstancedBufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(new Float32Array([0, -1, 0, 1, -1, 0, 0, 1, 0, 1, 1, 0]), 3));
   geometry.setIndex([0, 1, 2, 2, 1, 3]);
@@ -156,6 +174,7 @@ function wideGeometry({ segments, segmentStarts }: Segments): BufferGeometry {
   geometry.setAttribute('from', new InstancedBufferAttribute(from, 3));
   geometry.setAttribute('to', new InstancedBufferAttribute(to, 3));
   geometry.setAttribute('start', new InstancedBufferAttribute(segmentStarts, 1));
+  if (shares) geometry.setAttribute('share', new InstancedBufferAttribute(shares, 1));
   geometry.instanceCount = count;
   return geometry;
 }

@@ -7,8 +7,7 @@ export enum Mark {
   pin = 1,
   /** Of a value beyond its range. */
   below = 2,
-  above = 4,
-  hovered = 3,
+  above = 3,
 }
 
 const vertexShader = /* glsl */ `
@@ -57,11 +56,11 @@ void main() {
     body = 1.0 - smoothstep(0.62 - soft, 0.62, r);
     halo = 1.0 - smoothstep(1.0 - soft, 1.0, r);
   } else {
-    float dot = vMark == ${Mark.selected} ? 1.0 - smoothstep(0.24 - soft, 0.24, r) : 0.0;
+    float dot = 1.0 - smoothstep(0.24 - soft, 0.24, r);
     float ring = smoothstep(0.56 - soft, 0.56, r) * (1.0 - smoothstep(0.8 - soft, 0.8, r));
     body = max(dot, ring);
-    halo = max(vMark == ${Mark.selected} ? 1.0 - smoothstep(0.36, 0.44, r) : 0.0, smoothstep(0.4 - soft, 0.4, r) * (1.0 - smoothstep(1.0 - soft, 1.0, r)));
-    if (vMark == ${Mark.selected}) tint = accent;
+    halo = max(1.0 - smoothstep(0.36, 0.44, r), smoothstep(0.4 - soft, 0.4, r) * (1.0 - smoothstep(1.0 - soft, 1.0, r)));
+    tint = accent;
   }
   if (max(body, halo) < 0.04) discard;
   colour = vec4(mix(card, tint, body), max(body, halo));

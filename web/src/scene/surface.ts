@@ -111,23 +111,6 @@ void main() {
   colour = vec4(mix(surface, drawnEdge, line), 1.0);
 }`;
 
-/** Draws 1 + the face of the nearest triangle, in three bytes. */
-const pickVertexShader = /* glsl */ `
-${corner}
-flat out int vFace;
-void main() {
-  ivec4 t = triangle();
-  vFace = t.w >> 3;
-  gl_Position = projectionMatrix * cornerAt(cornerOf(t));
-}`;
-const pickFragmentShader = /* glsl */ `
-flat in int vFace;
-out vec4 colour;
-void main() {
-  int id = vFace + 1;
-  colour = vec4(id & 255, id >> 8 & 255, id >> 16 & 255, 255) / 255.0;
-}`;
-
 export type Colours = Record<'lit' | 'shade' | 'edge' | 'negative' | 'ink' | 'card' | 'accent', Vector3>;
 
 /** One side's surface. */
@@ -136,7 +119,6 @@ export class Surface {
   readonly positions: VectorTexture;
   readonly values: ValueTexture;
   readonly material: ShaderMaterial;
-  readonly pickMaterial: ShaderMaterial;
   /** 3V, as drawn. */
   points: Float32Array;
   private shown: Float64Array | null = null;
@@ -183,13 +165,6 @@ export class Surface {
         pixelRatio: { value: 1 },
       },
     });
-    this.pickMaterial = new ShaderMaterial({
-      glslVersion: GLSL3,
-      vertexShader: pickVertexShader,
-      fragmentShader: pickFragmentShader,
-      side: DoubleSide,
-      uniforms: corners,
-    });
     const buffer = new BufferGeometry();
     buffer.setDrawRange(0, geometry.triangles.length);
     this.mesh = new Mesh(buffer, this.material as Material);
@@ -235,7 +210,6 @@ export class Surface {
   dispose(): void {
     for (const { texture } of [this.positions, this.values, this.normals]) texture.dispose();
     this.material.dispose();
-    this.pickMaterial.dispose();
     this.mesh.geometry.dispose();
   }
 }

@@ -1,4 +1,4 @@
-import { type Material, Matrix4, Scene, type Texture, Vector3, WebGLRenderer, WebGLRenderTarget } from 'three';
+import { Matrix4, Scene, type Texture, Vector3, WebGLRenderer } from 'three';
 import { type ColourMap, colourTexture } from '../colour-maps.js';
 import { meanEdge } from '../mean-edge.js';
 import type { Geometry } from '../polylap.js';
@@ -6,10 +6,13 @@ import { type View, views } from '../state.js';
 import { LinkedCamera } from './camera.js';
 import { readColours } from './colours.js';
 import { type Outside, triangleTexture } from './data-texture.js';
-import { hidden, type Label, Labels } from './labels.js';
+import { HoverRing } from './hover-ring.js';
+import { type Label, Labels } from './labels.js';
 import { type Layer, type LayerName, vertexNormal } from './layers.js';
 import { type Mark, Markers } from './markers.js';
 import { photograph } from './photograph.js';
+import { type Meant, meant } from './pick.js';
+import { hidden } from './ray.js';
 import { Surface } from './surface.js';
 
 interface Shown {
@@ -21,22 +24,18 @@ interface Shown {
 
 /** From how many pixels an edge on there is room to hatch the area around a vertex. */
 const roomyEdge = 16;
-/** How far from a vertex on the outline, in pixels, a click still means it. */
-const clickReach = 12;
-/** The same of a finger: what it covers. */
-export const fingerReach = 22;
 
 /** Two views of the mesh in one canvas: one renderer, one camera, a scissored rectangle each. Draws when something changed, not otherwise. */
 export class Viewer {
   readonly camera: LinkedCamera;
   private readonly renderer: WebGLRenderer;
-  private readonly pickTarget = new WebGLRenderTarget(1, 1);
   private readonly maps: Record<ColourMap, Texture> = {
     viridis: colourTexture('viridis'),
     cividis: colourTexture('cividis'),
     'red-blue': colourTexture('red-blue'),
   };
   private readonly labels: Record<View, Labels>;
+  private readonly ring: HoverRing;
   private shown: Record<View, Shown> | null = null;
   /** Where the third view shows A on its left and B on its right: which share of it is A's. */
   private swipe: number | null = null;
@@ -63,6 +62,7 @@ export class Viewer {
       },
     );
     this.labels = { a: new Labels(places.a), b: new Labels(places.b), delta: new Labels(places.delta) };
+    this.ring = new HoverRing(places, (view, vertex) => this.project(view, vertex));
     for (const view of views) this.camera.attach(places[view]);
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement as HTMLElement);
     for (const view of views) new ResizeObserver(() => this.resize()).observe(places[view]);
@@ -171,6 +171,11 @@ export class Viewer {
     this.request();
   }
 
+  /** @param vertex under the pointer, or null */
+  hover(vertex: number | null): void {
+    this.ring.set(vertex);
+  }
+
   setLabels(view: View, group: string, labels: readonly Label[]): void {
     this.labels[view].set(group, labels);
     this.request();
@@ -221,29 +226,23 @@ export class Viewer {
     return shown && height > 0 ? this.camera.lengthPerPixel(this.toWorld(shown, vertex), height) : 0;
   }
 
-  /** The vertex meant by a point of the page: the nearest corner of the face seen there, or beside the mesh the nearest vertex within reach. */
-  pick(view: View, clientX: number, clientY: number, reach = clickReach): number | null {
+  /** The vertex meant by a point of the page. */
+  pick(view: View, clientX: number, clientY: number, touch = false): number | null {
+    return this.meant(view, clientX, clientY, touch).vertex;
+  }
+
+  /** What is meant by a point of the page. */
+  meant(view: View, clientX: number, clientY: number, touch = false): Meant {
     const box = this.places[view].getBoundingClientRect();
-    const x = clientX - box.x;
-    const y = clientY - box.y;
-    const [shown] = this.contentsOf(view, box.width)
-      .filter(({ from, to }) => from <= x && x < to)
-      .map(({ shown }) => shown);
-    if (!shown || !this.geometry || box.width === 0) return null;
-    const face = this.faceAt(shown, box, x, y);
-    const { offsets, corners, positions } = this.geometry;
-    let best: { vertex: number; distance: number } | null = null;
-    const consider = (vertex: number, within: number) => {
-      const screen = this.toWorld(shown, vertex).project(this.camera.camera);
-      const distance = Math.hypot(((screen.x + 1) / 2) * box.width - x, ((1 - screen.y) / 2) * box.height - y);
-      if (distance < within && (best === null || distance < best.distance)) best = { vertex, distance };
-    };
+    const [x, y] = [clientX - box.x, clientY - box.y];
+    const there = this.contentsOf(view, box.width).find(({ from, to }) => from <= x && x < to);
+    if (!there || !this.geometry || box.width === 0) return { vertex: null, face: null };
     this.aim(box);
-    if (face >= 0)
-      for (let c = offsets[face] as number; c < (offsets[face + 1] as number); c++)
-        consider(corners[c] as number, Infinity);
-    else for (let vertex = 0; vertex < positions.length / 3; vertex++) consider(vertex, reach);
-    return (best as { vertex: number } | null)?.vertex ?? null;
+    const { camera } = this.camera;
+    const { scene, surface } = there.shown;
+    const clip = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+    const { width, height } = box;
+    return meant({ x, y, width, height, touch, clip: clip.multiply(scene.matrix) }, this.geometry, surface.points);
   }
 
   /** A vertex that is seen near the middle of the first view there is, rather below it: there the surface faces the eye. */
@@ -283,29 +282,6 @@ export class Viewer {
     );
     const directions = [...wishes, normal, up, out, normal.clone().negate()].filter((from) => from.length() > 1e-3);
     this.camera.face(directions.map((from) => from.normalize()).find(seen) ?? normal);
-  }
-
-  /** Draws the one pixel in question with face numbers for colours. */
-  private faceAt(shown: Shown, box: DOMRect, x: number, y: number): number {
-    const { camera } = this.camera;
-    this.aim(box);
-    camera.setViewOffset(box.width, box.height, x - 0.5, y - 0.5, 1, 1);
-    const { mesh, pickMaterial, material } = shown.surface;
-    const others = shown.scene.children.filter((child) => child !== mesh && child.visible);
-    for (const other of others) other.visible = false;
-    mesh.material = pickMaterial as Material;
-    this.renderer.setScissorTest(false);
-    this.renderer.setRenderTarget(this.pickTarget);
-    this.renderer.clear();
-    this.renderer.render(shown.scene, camera);
-    const pixel = new Uint8Array(4);
-    this.renderer.readRenderTargetPixels(this.pickTarget, 0, 0, 1, 1, pixel);
-    this.renderer.setRenderTarget(null);
-    mesh.material = material as Material;
-    for (const other of others) other.visible = true;
-    camera.clearViewOffset();
-    const [r = 0, g = 0, b = 0] = pixel;
-    return r + 256 * g + 65536 * b - 1;
   }
 
   private toWorld(shown: Shown, vertex: number): Vector3 {
@@ -405,6 +381,7 @@ export class Viewer {
         box.height,
       );
     }
+    this.ring.place();
     this.afterFrame();
   }
 

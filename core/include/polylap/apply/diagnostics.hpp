@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "polylap/mesh/topology.hpp"
@@ -28,12 +29,14 @@ struct WeightSummary {
 };
 WeightSummary summarise_weights(const SparseMatrix& stiffness);
 
+/// RMS distance of a face's corners from their plane over √|a|: 0 = planar, also for a face without vector area.
+double non_planarity(std::span<const Vector3> corners);
+
 /// Size and shape of a surface.
 struct ShapeMeasures {
-    double area = 0;  ///< Σ |a_f|, length².
-    double mean_non_planarity =
-        0;  ///< Mean over faces of the RMS distance of the corners from their plane over √|a|; 0 = all planar.
-    double mean_squared_edge = 0;  ///< h²: mean squared length over edges, length².
+    double area = 0;                ///< Σ |a_f|, length².
+    double mean_non_planarity = 0;  ///< Over faces, see non_planarity.
+    double mean_squared_edge = 0;   ///< h²: mean squared length over edges, length².
 };
 ShapeMeasures measure_shape(const PolygonMesh& mesh, const Topology& topology);
 

@@ -8,6 +8,7 @@
 
 #include "polylap/base/monitor.hpp"
 #include "polylap/base/parameter.hpp"
+#include "polylap/face/triangulate.hpp"
 #include "polylap/mesh/polygon_mesh.hpp"
 #include "polylap/solve/structure.hpp"
 
@@ -101,6 +102,10 @@ struct OperatorInfo {
     const char* summary;  ///< One sentence.
     std::span<const Parameter> parameters;
     bool takes_vertex_weights = false;
+    bool sum_over_faces = false;  ///< S is the sum of what it is on each face alone.
+    /// The rule by which it cuts faces into triangles; null where it cuts none.
+    /// @param spec complete
+    TriangulationRule (*rule)(const OperatorSpec& spec) = nullptr;
     PropertyClaims claims;
     /// @param spec complete: one value per parameter, in range; vertex_weights empty or V finite values
     /// @param out  overwritten but for its structure; memory that is there is used again. Undefined after an error
