@@ -178,7 +178,7 @@ export class Viewer {
 
   setLabels(view: View, group: string, labels: readonly Label[]): void {
     this.labels[view].set(group, labels);
-    this.request();
+    requestAnimationFrame(() => this.placeLabels(view, this.places[view].getBoundingClientRect()));
   }
 
   /** Reads the colours anew, after the theme changed. */
@@ -371,18 +371,26 @@ export class Viewer {
         renderer.setScissor(left + from, bottom, to - from, box.height);
         renderer.render(scene, this.camera.camera);
       }
-      this.labels[view].place(
-        this.camera.camera,
-        shown[view].surface.points,
-        geometry.triangles,
-        (vertex) => this.toWorld(shown[view], vertex),
-        (world) => this.toModel(shown[view], world),
-        box.width,
-        box.height,
-      );
+      this.placeLabels(view, box);
     }
     this.ring.place();
     this.afterFrame();
+  }
+
+  /** They lie over the canvas: nothing is drawn for them. */
+  private placeLabels(view: View, box: DOMRect): void {
+    const shown = this.shown?.[view];
+    if (!shown || !this.geometry || box.width === 0) return;
+    this.aim(box);
+    this.labels[view].place(
+      this.camera.camera,
+      shown.surface.points,
+      this.geometry.triangles,
+      (vertex) => this.toWorld(shown, vertex),
+      (world) => this.toModel(shown, world),
+      box.width,
+      box.height,
+    );
   }
 
   /** What a view of that width shows, from which pixel to which. */
