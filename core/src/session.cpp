@@ -1,72 +1,13 @@
 #include "polylap/session.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
-#include "cache.hpp"
-#include "factor_room.hpp"
-#include "harmonic_problem.hpp"
-#include "known_analyses.hpp"
 #include "polylap/mesh/mesh_io.hpp"
+#include "session_impl.hpp"
 
 namespace polylap {
 namespace {
-
-/// What matrices depend on. Every surface that a session makes gets a new version, the loaded mesh is 0.
-struct MatricesKey {
-    std::int64_t surface;
-    OperatorSpec spec;
-    friend bool operator==(const MatricesKey&, const MatricesKey&) = default;
-};
-
-std::int64_t bytes_of(const SparseMatrix& matrix) {
-    return std::int64_t{matrix.nonZeros()} * static_cast<std::int64_t>(sizeof(double) + sizeof(Index));
-}
-std::int64_t bytes_of(const OperatorMatrices& matrices) {
-    return bytes_of(matrices.stiffness) + bytes_of(matrices.mass);
-}
-std::int64_t bytes_of(const PropertyReport& report) {
-    return std::int64_t{report.kernel_modes.size()} * static_cast<std::int64_t>(sizeof(double));
-}
-
-/// Beyond this, only the matrices (the report) that were used last are kept: those of 500 000 vertices, of quads, have
-/// half of it. All are made again in a fraction of the time that a factor takes.
-constexpr std::int64_t most_kept_bytes = std::int64_t{128} << 20;
-
-/// Beyond this, a new factor takes the place of those that were used longest ago. On a quad mesh of a million vertices
-/// one has 700 MB.
-constexpr std::int64_t most_factor_bytes = std::int64_t{768} << 20;
-
-/// The last system M + tS of a side, with its factor where there is one.
-struct SmootherSlot {
-    std::optional<MatricesKey> matrices;
-    double time = 0;
-    std::optional<ImplicitSmoother> smoother;
-    std::int64_t last_use = 0;
-
-    std::int64_t bytes() const { return smoother ? smoother->bytes() : 0; }
-    bool holds(const MatricesKey& key, double t) const { return matrices == key && time == t; }
-
-    Status prepare(const MatricesKey& key, double t, const OperatorMatrices& built, const SmootherOptions& options) {
-        matrices.reset();
-        if (!smoother) smoother.emplace();
-        if (Status status = smoother->update_later(built, t, options); !status) return status;
-        matrices = key;
-        time = t;
-        return Done{};
-    }
-};
-
-/// The last harmonic problem.
-struct HarmonicSlot {
-    std::optional<MatricesKey> matrices;
-    std::optional<HarmonicProblem> problem;
-    std::int64_t last_use = 0;
-
-    std::int64_t bytes() const { return problem ? problem->bytes() : 0; }
-};
 
 /// Lines as floats, into an answer that has fields for them.
 template <class Answer>
@@ -79,85 +20,7 @@ void keep_lines(SurfaceLines lines, const Vector3& origin, Answer& answer) {
     answer.segment_pairs = std::move(lines.pair);
 }
 
-struct SideState {
-    OperatorSpec spec;
-    PolygonMesh surface;
-    std::int64_t version = 0;
-    int steps = 0;
-    std::optional<SmoothingSolve> solve = {};  ///< Of the step that led to the surface.
-
-    MatricesKey key() const { return {version, spec}; }
-};
-
 }  // namespace
-
-struct Session::Impl {
-    PolygonMesh loaded;
-    Repairs repairs;
-    std::vector<std::string> notes;
-    Topology topology;
-    DisplayTriangles display;
-    Vector3 origin;
-    std::array<SideState, 2> sides;
-    std::int64_t last_version = 0;
-
-    // Two sides before and after a step, or two sides with two specs each.
-    Cache<MatricesKey, OperatorMatrices, 4, bytes_of> matrices{most_kept_bytes};
-    KnownAnalyses analyses;
-    std::array<SmootherSlot, 2> smoothers;
-    std::array<HarmonicSlot, 2> harmonics;
-    Cache<MatricesKey, PropertyReport, 4, bytes_of> reports{most_kept_bytes};
-    std::int64_t uses = 0;
-
-    Impl(PolygonMesh mesh, DisplayTriangles triangles)
-        : loaded(std::move(mesh)),
-          topology(build_topology(*loaded.connectivity())),
-          display(std::move(triangles)),
-          origin(0.5 * (loaded.positions().colwise().minCoeff() + loaded.positions().colwise().maxCoeff()).transpose()),
-          sides{SideState{default_spec(0), loaded}, SideState{default_spec(1), loaded}} {}
-
-    static OperatorSpec default_spec(std::size_t side) { return *make_spec(opening_pair()[side]->id, {}); }
-
-    SideState& side(Side s) { return sides[static_cast<std::size_t>(s)]; }
-    HarmonicSlot& harmonic(Side s) { return harmonics[static_cast<std::size_t>(s)]; }
-    SmootherSlot& smoother(Side s) { return smoothers[static_cast<std::size_t>(s)]; }
-
-    Result<std::shared_ptr<const OperatorMatrices>> build(const PolygonMesh& surface, const MatricesKey& key,
-                                                          Monitor monitor) {
-        return matrices.get(key, [&] { return build_operator(surface, key.spec, monitor); });
-    }
-
-    /// Drops factors of other slots until there is room for one in this.
-    void make_room(const void* slot) {
-        const auto for_slots = [this](auto&& visit) {
-            std::size_t k = 0;
-            for (SmootherSlot& one : smoothers)
-                visit(one, k++);
-            for (HarmonicSlot& one : harmonics)
-                visit(one, k++);
-        };
-        for (;;) {
-            std::array<KeptFactor, 4> factors;
-            std::size_t mine = factors.size();
-            for_slots([&](const auto& one, std::size_t k) {
-                factors[k] = {one.bytes(), one.last_use};
-                if (&one == slot) mine = k;
-            });
-            const auto dropped = factor_to_drop(factors, mine, most_factor_bytes);
-            if (!dropped) return;
-            for_slots([&](auto& one, std::size_t k) {
-                if (k == dropped) one = {};
-            });
-        }
-    }
-
-    std::vector<float> to_float(const Points& points) const {
-        std::vector<float> out(static_cast<std::size_t>(points.size()));
-        Eigen::Map<Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>>(out.data(), points.rows(), 3) =
-            (points.rowwise() - origin.transpose()).cast<float>();
-        return out;
-    }
-};
 
 Session::Session(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Session::Session(Session&&) noexcept = default;
@@ -310,52 +173,6 @@ Session::Shape Session::shape(Side side) const {
         shape.no_volume = volume.error().message;
     }
     return shape;
-}
-
-Status Session::smooth(Side side, const SmoothOptions& options, Monitor monitor) {
-    return guard_memory([&]() -> Status {
-        SideState& state = impl_->side(side);
-        if (options.steps < 0 || options.steps > std::numeric_limits<int>::max() - state.steps) {
-            return Error{ErrorCode::bad_argument, "the number of steps must not be negative, nor beyond counting"};
-        }
-        SideState moved = state;
-        SmootherSlot& slot = impl_->smoother(side);
-        for (int k = 0; k < options.steps; ++k) {
-            const auto at = [&](double part) { return (k + part) / options.steps; };
-            if (!monitor.proceed(at(0))) return Error{ErrorCode::cancelled, "cancelled"};
-            Stretch building{monitor, at(0), at(0.3)};
-            Stretch stepping{monitor, at(0.3), at(1)};
-            const PolygonMesh& built_on = options.rebuild ? moved.surface : impl_->loaded;
-            const MatricesKey key = options.rebuild ? moved.key() : MatricesKey{0, moved.spec};
-            slot.last_use = ++impl_->uses;
-            if (!slot.holds(key, options.time)) {
-                // The step leaves their surface: no need to have them beside a factor.
-                auto built = impl_->matrices.take(key);
-                if (built == nullptr) {
-                    auto made = build_operator(built_on, key.spec, building.monitor());
-                    if (!made) return made.error();
-                    built = std::make_shared<const OperatorMatrices>(*std::move(made));
-                }
-                const SmootherOptions serving{.steps = options.rebuild ? 1 : options.steps - k,
-                                              .positions = &impl_->loaded.positions(),
-                                              .known = impl_->analyses.kept()};
-                if (Status status = slot.prepare(key, options.time, *built, serving); !status) return status;
-            }
-            if (slot.smoother->needs_factor()) impl_->make_room(&slot);
-            auto points = slot.smoother->step(moved.surface.positions(), stepping.monitor());
-            if (!points) return points.error();
-            impl_->analyses.keep(slot.smoother->analysis());
-            auto surface = moved.surface.with_positions(*std::move(points));
-            if (!surface) return surface.error();
-            moved.surface = *std::move(surface);
-            moved.version = ++impl_->last_version;
-            moved.solve = slot.smoother->last_solve();
-            ++moved.steps;
-        }
-        if (!monitor.proceed(1)) return Error{ErrorCode::cancelled, "cancelled"};
-        state = std::move(moved);
-        return Done{};
-    });
 }
 
 Result<Session::Harmonic> Session::harmonic(Side side, std::span<const Index> vertices, std::span<const double> values,

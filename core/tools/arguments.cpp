@@ -194,7 +194,7 @@ void declare_computations(CLI::App& app, Arguments& a, Command& chosen) {
         chosen = [&] { return tool::matrix(a.mesh, a.choice, a.out, a.second_out); };
     });
 
-    CLI::App* const smooth = app.add_subcommand("smooth", "Implicit smoothing steps (M + tS) x' = M x");
+    CLI::App* const smooth = app.add_subcommand("smooth", "Smoothing steps, implicit or explicit");
     add_mesh(*smooth, a);
     add_operator(*smooth, a);
     auto* const times = smooth->add_option_group("time", "How far a step goes");
@@ -206,10 +206,29 @@ void declare_computations(CLI::App& app, Arguments& a, Command& chosen) {
               [&](double value) { a.smooth.steps = static_cast<int>(value); })
         ->default_str(std::to_string(a.smooth.steps))
         ->type_name("N");
+    smooth
+        ->add_option_function<std::string>(
+            "--flow",
+            [&](const std::string& name) {
+                const auto flow = find_flow(name);
+                if (!flow) throw CLI::ValidationError("--flow", flow.error().message);
+                a.smooth.flow = *flow;
+            },
+            "implicit: (M + tS) x' = M x; conformalised: with S of the loaded mesh, scaled to its area; explicit: "
+            "x' = x - t M^-1 S x, unstable for large t")
+        ->default_str(flow_name(a.smooth.flow))
+        ->type_name("FLOW");
     smooth->add_flag("--keep-operator", a.smooth.keep_operator,
                      "Keep S and M of the loaded mesh instead of rebuilding them before each step");
+    smooth->add_flag("--keep-volume", a.smooth.keep_volume,
+                     "Scale the surface after each step to the volume of the loaded mesh");
+    smooth->add_flag("--fix-boundary", a.smooth.fix_boundary, "Leave the vertices on the boundary where they are");
     add_output(*smooth, a, "Smoothed mesh, in the format that the ending says")->required();
-    smooth->callback([&] { chosen = [&] { return tool::smooth(a.mesh, a.choice, a.smooth, a.out); }; });
+    smooth->callback([&] {
+        if (a.smooth.keep_operator && a.smooth.flow == Flow::conformalised)
+            throw CLI::ValidationError("--keep-operator", "the conformalised flow keeps S and rebuilds M");
+        chosen = [&] { return tool::smooth(a.mesh, a.choice, a.smooth, a.out); };
+    });
 
     CLI::App* const harmonic =
         app.add_subcommand("harmonic", "Interpolate values at some vertices harmonically over the mesh");

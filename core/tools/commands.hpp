@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "files.hpp"
+#include "polylap/apply/flow.hpp"
 #include "polylap/base/types.hpp"
 
 namespace polylap::tool {
@@ -30,7 +31,10 @@ struct SmoothChoice {
     std::optional<double> time;     ///< length²
     std::optional<double> time_h2;  ///< In units of the mean squared edge length of the mesh.
     int steps = 1;
+    Flow flow = Flow::implicit_step;
     bool keep_operator = false;
+    bool keep_volume = false;
+    bool fix_boundary = false;
 };
 
 /// A shape or a conversion, by name, with its parameters.

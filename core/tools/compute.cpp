@@ -26,6 +26,16 @@ std::string solve_text(const SmoothingSolve& solve) {
     return text + "\n";
 }
 
+/// What bounds explicit steps, on the loaded mesh.
+std::string stability_text(const Result<Stability>& stability, double time, double h2) {
+    if (!stability) return "explicit steps: " + stability.error().message + "\n";
+    std::string text = "explicit steps stable for t < ";
+    append_number(text, stability->limit());
+    append_number(text += " (", stability->limit() / h2);
+    append_number(text += " h²); the first multiplies the roughest mode by ", stability->growth(time));
+    return text + "\n";
+}
+
 }  // namespace
 
 Result<Outputs> matrix(const MeshChoice& mesh, const OperatorChoice& choice, const std::string& stiffness_path,
@@ -51,13 +61,20 @@ Result<Outputs> smooth(const MeshChoice& mesh, const OperatorChoice& choice, con
     if (!session) return session.error();
     const double h2 = session->shape(side).measures.mean_squared_edge;
     const double time = options.time ? *options.time : options.time_h2.value() * h2;
-    if (auto status = session->smooth(side, {.time = time, .steps = options.steps, .rebuild = !options.keep_operator});
-        !status)
-        return in_file(mesh.path, status.error());
+    const Session::SmoothOptions flow{.time = time,
+                                      .steps = options.steps,
+                                      .flow = options.flow,
+                                      .rebuild = !options.keep_operator,
+                                      .keep_volume = options.keep_volume,
+                                      .fix_boundary = options.fix_boundary};
+    std::string report;
+    if (options.flow == Flow::explicit_step && path != "-")
+        report = stability_text(session->stability(side, flow), time, h2);
+    if (auto status = session->smooth(side, flow); !status) return in_file(mesh.path, status.error());
     auto output = mesh_output(session->surface(side), path);
     if (!output) return output.error();
     Outputs outputs{*std::move(output)};
-    if (path != "-") outputs.push_back({"-", solve_text(session->last_solve(side).value())});
+    if (path != "-") outputs.push_back({"-", report + solve_text(session->last_solve(side).value())});
     return outputs;
 }
 

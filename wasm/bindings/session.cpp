@@ -182,10 +182,36 @@ val face(const Session& session, Side side, Index number) {
     });
 }
 
-val smooth(Session& session, Side side, double time, int steps, bool rebuild, val callback) {
-    return guarded([&] {
+/// What session.ts makes of SmoothOptions: all of them, checked.
+Result<Session::SmoothOptions> flow_of(const val& options) {
+    const auto flow = find_flow(options["flow"].as<std::string>());
+    if (!flow) return flow.error();
+    return Session::SmoothOptions{.time = options["time"].as<double>(),
+                                  .steps = options["steps"].as<int>(),
+                                  .flow = *flow,
+                                  .rebuild = options["rebuild"].as<bool>(),
+                                  .keep_volume = options["keepVolume"].as<bool>(),
+                                  .fix_boundary = options["fixBoundary"].as<bool>()};
+}
+
+val smooth(Session& session, Side side, const val& options, val callback) {
+    return guarded([&]() -> Result<val> {
+        const auto flow = flow_of(options);
+        if (!flow) return flow.error();
         Tick tick(std::move(callback));
-        return nothing(session.smooth(side, {.time = time, .steps = steps, .rebuild = rebuild}, tick.monitor()));
+        return nothing(session.smooth(side, *flow, tick.monitor()));
+    });
+}
+
+val stability(Session& session, Side side, const val& options, val callback) {
+    return guarded([&]() -> Result<val> {
+        const auto flow = flow_of(options);
+        if (!flow) return flow.error();
+        Tick tick(std::move(callback));
+        const auto stability = session.stability(side, *flow, tick.monitor());
+        if (!stability) return stability.error();
+        return object(entry("largest", stability->largest), entry("smallest", stability->smallest),
+                      entry("limit", stability->limit()));
     });
 }
 
@@ -258,6 +284,7 @@ EMSCRIPTEN_BINDINGS(polylap_session) {
         .function("row", &row)
         .function("face", &face)
         .function("smooth", &smooth)
+        .function("stability", &stability)
         .function("harmonic", &harmonic)
         .function("matrices", &matrices)
         .function("dual", &dual)

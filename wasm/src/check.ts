@@ -2,7 +2,7 @@
 import { PolylapError } from './error.js';
 import type { ConversionSpec, OperatorSpec, ShapeSpec } from './generated.js';
 import type { Settings } from './raw.js';
-import type { OpenOptions, SmoothRunOptions } from './types.js';
+import type { Flow, OpenOptions, SmoothOptions, SmoothRunOptions } from './types.js';
 
 export function badArgument(message: string, element?: number): PolylapError {
   return new PolylapError('bad-argument', message, element);
@@ -159,6 +159,21 @@ export function openOptions({ repair, mergeDistance }: OpenOptions): Required<Op
   return {
     repair: yesOrNo(repair ?? false, 'repair'),
     mergeDistance: realNumber(mergeDistance ?? 0, 'mergeDistance'),
+  };
+}
+
+const flows: readonly Flow[] = ['implicit', 'conformalised', 'explicit'];
+
+/** How to smooth, complete. */
+export function flowOf(options: SmoothOptions): Required<SmoothOptions> {
+  const given = fields(options, 'smoothing options');
+  return {
+    time: realNumber(given.time, 'time'),
+    steps: wholeNumber(given.steps ?? 1, 'steps', 1),
+    flow: oneOf(given.flow ?? 'implicit', flows, 'flow'),
+    rebuild: yesOrNo(given.rebuild ?? true, 'rebuild'),
+    keepVolume: yesOrNo(given.keepVolume ?? false, 'keepVolume'),
+    fixBoundary: yesOrNo(given.fixBoundary ?? false, 'fixBoundary'),
   };
 }
 

@@ -226,6 +226,8 @@ class WorkerClient implements Client {
         const takes = { spec: ownOperator(spec), options, showSteps: typeof onStep === 'function' };
         return ask('smooth', takes, run, { commit, undo: () => state.backTo(side) });
       },
+      stability: async (spec, options = {}, run = {}) =>
+        ask('stability', { spec: ownOperator(spec), options }, runOf(run)),
       harmonic: async (spec, fixed, run = {}) => ask('harmonic', { spec: ownOperator(spec), fixed }, runOf(run)),
       matrices: async (spec, run = {}) => ask('matrices', { spec: ownOperator(spec) }, runOf(run)),
       check: async (spec, run = {}) => ask('check', { spec: ownOperator(spec) }, runOf(run), { needsWhole: true }),

@@ -20,6 +20,8 @@ import type {
   Side,
   Smoothed,
   SmoothOptions,
+  Stability,
+  StabilityOptions,
   Weights,
 } from './types.js';
 
@@ -47,6 +49,7 @@ export interface Calls {
   face: { takes: OnSide & { spec: OperatorSpec; face: number }; gives: FaceReport };
   shape: { takes: OnSide; gives: Shape };
   smooth: { takes: OnSide & { spec: OperatorSpec; options: SmoothOptions; showSteps: boolean }; gives: Smoothed };
+  stability: { takes: OnSide & { spec: OperatorSpec; options: StabilityOptions }; gives: Stability };
   harmonic: { takes: OnSide & { spec: OperatorSpec; fixed: FixedValues }; gives: Harmonic };
   matrices: { takes: OnSide & { spec: OperatorSpec }; gives: Matrices };
   check: { takes: OnSide & { spec: OperatorSpec }; gives: Check };

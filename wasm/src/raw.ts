@@ -14,6 +14,8 @@ import type {
   Row,
   Shape,
   Smoothed,
+  SmoothOptions,
+  Stability,
   Weights,
 } from './types.js';
 
@@ -49,7 +51,8 @@ export interface RawSession {
   weights(side: RawSide, tick: Tick | undefined): Reply<Weights>;
   row(side: RawSide, vertex: number, tick: Tick | undefined): Reply<Row>;
   face(side: RawSide, face: number): Reply<FaceReport>;
-  smooth(side: RawSide, time: number, steps: number, rebuild: boolean, tick: Tick | undefined): Reply<void>;
+  smooth(side: RawSide, options: Required<SmoothOptions>, tick: Tick | undefined): Reply<void>;
+  stability(side: RawSide, options: Required<SmoothOptions>, tick: Tick | undefined): Reply<Stability>;
   harmonic(side: RawSide, vertices: Int32Array, values: Float64Array, tick: Tick | undefined): Reply<Harmonic>;
   matrices(side: RawSide, tick: Tick | undefined): Reply<Matrices>;
   dual(side: RawSide, mu: number, tick: Tick | undefined): Reply<Dual>;

@@ -114,6 +114,8 @@ class Server {
         return session.shape(options);
       case 'smooth':
         return this.#smooth(id, session, takes);
+      case 'stability':
+        return session.stability(takes.spec, takes.options, options);
       case 'harmonic':
         return session.harmonic(takes.spec, takes.fixed, options);
       case 'matrices':

@@ -4,6 +4,7 @@ import {
   bytesOf,
   conversionParts,
   fields,
+  flowOf,
   messageOf,
   numbers,
   oneOf,
@@ -14,7 +15,6 @@ import {
   shapeParts,
   text,
   wholeNumber,
-  yesOrNo,
 } from './check.js';
 import { CoreStopped, PolylapError } from './error.js';
 import type { ConversionSpec, ErrorCode, OperatorSpec, ShapeSpec } from './generated.js';
@@ -39,6 +39,8 @@ import type {
   Side,
   Smoothed,
   SmoothOptions,
+  Stability,
+  StabilityOptions,
   Weights,
 } from './types.js';
 
@@ -234,13 +236,16 @@ export class Session {
 
   /** All steps or none: a step that fails or is stopped leaves the surface as it was. */
   smooth(spec: OperatorSpec, how: SmoothOptions, options: SyncOptions = {}): Smoothed {
-    const given = fields(how, 'smoothing options');
-    const time = realNumber(given.time, 'time');
-    const steps = wholeNumber(given.steps ?? 1, 'steps', 1);
-    const rebuild = yesOrNo(given.rebuild ?? true, 'rebuild');
+    const flow = flowOf(how);
     const mine = optionsOf(options);
-    this.#apply(spec, mine, (raw, side, tick) => raw.smooth(side, time, steps, rebuild, tick));
+    this.#apply(spec, mine, (raw, side, tick) => raw.smooth(side, flow, tick));
     return this.surface(mine);
+  }
+
+  /** What bounds the explicit step that the options describe. */
+  stability(spec: OperatorSpec, how: StabilityOptions = {}, options: SyncOptions = {}): Stability {
+    const flow = flowOf({ ...fields(how, 'the options of stability'), time: 1 });
+    return this.#apply(spec, options, (raw, side, tick) => raw.stability(side, flow, tick));
   }
 
   harmonic(spec: OperatorSpec, fixed: FixedValues, options: SyncOptions = {}): Harmonic {

@@ -179,18 +179,43 @@ export interface Shape {
   meanSquaredEdge: number;
 }
 
+/**
+ * Which equation a step solves. `implicit`: (M + tS)x' = Mx, stable for all t. `conformalised`: the same with S of the loaded mesh and M of the moved
+ * surface, scaled to the area of the loaded mesh after each step (Kazhdan, Solomon & Ben-Chen 2012). `explicit`: x' = x − t M⁻¹ S x, see `stability`.
+ */
+export type Flow = 'implicit' | 'conformalised' | 'explicit';
+
 export interface SmoothOptions {
-  /** t in (M + tS)x' = Mx, length². */
+  /** t, length². */
   time: number;
   /** Default 1. */
   steps?: number;
-  /** Build S and M anew before each step (default), or keep those of the loaded mesh. */
+  /** Default `implicit`. */
+  flow?: Flow;
+  /** Build S and M anew before each step (default), or keep those of the loaded mesh. The conformalised flow has its own rule. */
   rebuild?: boolean;
+  /** Scale the surface to the volume of the loaded mesh after each step; refused where there is none. Default false. */
+  keepVolume?: boolean;
+  /** Vertices on the boundary stay. Default false. */
+  fixBoundary?: boolean;
+}
+
+/** Which S and M, and which rows of them. */
+export type StabilityOptions = Pick<SmoothOptions, 'rebuild' | 'fixBoundary'>;
+
+/** What bounds explicit steps: the ends of the spectrum of S x = λ M x, 1/length². A step multiplies the mode of λ by 1 − tλ. */
+export interface Stability {
+  largest: number;
+  /** 0 where S is positive semi-definite. */
+  smallest: number;
+  /** Steps t below this are stable: 2 / largest, length². 0 if none is, Infinity if all are. */
+  limit: number;
 }
 
 /** How a step was solved: by a factor, or iteratively where that is expected to take less time. */
 export interface SmoothingSolve {
-  solver: 'cholesky' | 'lu' | 'conjugate-gradients';
+  /** Diagonal: nothing to solve, as in explicit steps with a lumped mass. */
+  solver: 'cholesky' | 'lu' | 'conjugate-gradients' | 'diagonal';
   /** Of conjugate gradients; 0 otherwise. */
   iterations: number;
 }
@@ -384,6 +409,8 @@ export interface Mesh extends MeshInfo {
   face(spec: OperatorSpec, face: number, run?: RunOptions): Promise<FaceReport>;
   shape(run?: RunOptions): Promise<Shape>;
   smooth(spec: OperatorSpec, options: SmoothOptions, run?: SmoothRunOptions): Promise<Smoothed>;
+  /** What bounds the explicit step that the options describe, whatever their flow, time and steps. */
+  stability(spec: OperatorSpec, options?: StabilityOptions, run?: RunOptions): Promise<Stability>;
   harmonic(spec: OperatorSpec, fixed: FixedValues, run?: RunOptions): Promise<Harmonic>;
   matrices(spec: OperatorSpec, run?: RunOptions): Promise<Matrices>;
   /** The properties of an operator on the side's surface. */

@@ -10,6 +10,8 @@
 
 #include "polylap/apply/diagnostics.hpp"
 #include "polylap/apply/display.hpp"
+#include "polylap/apply/explicit_step.hpp"
+#include "polylap/apply/flow.hpp"
 #include "polylap/apply/inspect.hpp"
 #include "polylap/apply/properties.hpp"
 #include "polylap/apply/smoothing.hpp"
@@ -114,15 +116,28 @@ public:
     Shape shape(Side side) const;
 
     struct SmoothOptions {
-        double time = 0;  ///< t in (M + tS)x' = Mx, length².
+        double time = 0;  ///< t, length².
         int steps = 1;
-        bool rebuild = true;  ///< Build S and M anew on the moved surface before each step; otherwise keep those of the
-                              ///< loaded mesh.
+        Flow flow = Flow::implicit_step;
+        /// Build S and M anew on the moved surface before each step; otherwise keep those of the loaded mesh. The
+        /// conformalised flow has its own rule.
+        bool rebuild = true;
+        /// After each step, scale the surface about the centroid of its area to the volume of the loaded mesh.
+        bool keep_volume = false;
+        /// Vertices on the boundary stay (Dirichlet conditions). A closed surface has none. Then the conformalised flow
+        /// does not scale.
+        bool fix_boundary = false;
     };
     /// Smooths the side's surface. Stops between steps when the monitor says so, and leaves the surface as it was.
     /// @error bad_argument, degenerate_face (element = face), mass_not_positive, not_positive_definite (element =
-    /// vertex), out_of_memory, cancelled
+    /// vertex), open_mesh, non_manifold_edge (element = edge: no volume to keep), not_converged (an explicit step takes
+    /// a vertex beyond largest_coordinate; the volume cannot be kept), out_of_memory, cancelled
     Status smooth(Side side, const SmoothOptions& options, Monitor monitor = {});
+
+    /// What bounds the explicit step that `options` describe, whatever their flow: of S and M on the side's surface, or
+    /// on the loaded mesh where they are not rebuilt.
+    /// @error see explicit_stability and build_operator
+    Result<Stability> stability(Side side, const SmoothOptions& options, Monitor monitor = {});
 
     struct Harmonic {
         Vector values;            ///< V; NaN at unreferenced vertices.

@@ -7,7 +7,10 @@
 
 #include "apply/smoothing_cost.hpp"
 #include "polylap/solve/conjugate_gradients.hpp"
+#include "solve/fixed_vertices.hpp"
+#include "solve/held_rows.hpp"
 #include "solve/lower_triangle.hpp"
+#include "solve/sparse_loops.hpp"
 
 namespace polylap {
 namespace {
@@ -18,22 +21,6 @@ constexpr double constants_rounding = 1e-12;
 
 /// Up to this size a factor costs next to nothing (2000 rows: 2 ms).
 constexpr Eigen::Index always_factored = 2000;
-
-bool is_zero(const SparseMatrix& a, Index column) {
-    for (SparseMatrix::InnerIterator it(a, column); it; ++it) {
-        if (it.value() != 0) return false;  // nor is NaN
-    }
-    return true;
-}
-
-bool is_diagonal(const SparseMatrix& a) {
-    for (Index k = 0; k < a.cols(); ++k) {
-        for (SparseMatrix::InnerIterator it(a, k); it; ++it) {
-            if (it.index() != k) return false;
-        }
-    }
-    return true;
-}
 
 bool stores_diagonal(const SparseMatrix& a) {
     for (Index k = 0; k < a.cols(); ++k) {
@@ -72,6 +59,8 @@ std::string_view solver_name(SmoothingSolver solver) noexcept {
             return "cholesky";
         case SmoothingSolver::lu:
             return "lu";
+        case SmoothingSolver::diagonal:
+            return "diagonal";
         case SmoothingSolver::conjugate_gradients:
             break;
     }
@@ -130,26 +119,31 @@ bool ImplicitSmoother::needs_factor() const {
 
 Status ImplicitSmoother::build(const OperatorMatrices& matrices, double time, const SmootherOptions& options) {
     release(system_);
+    coupling_.clear();
     const auto n = static_cast<Index>(matrices.mass.rows());
+    fixed_.assign(options.fixed.begin(), options.fixed.end());
+    const auto place = places_of(fixed_, n);
+    if (!place) return place.error();
+    const auto held = [&](Index v) { return (*place)[static_cast<std::size_t>(v)] >= 0; };
     Vector diagonal = matrices.mass.diagonal();
     Vector unused = Vector::Zero(n);
     for (Index v = 0; v < n; ++v) {
         if (diagonal[v] > 0) continue;
-        if (!is_zero(matrices.stiffness, v) || !is_zero(matrices.mass, v)) {
+        if (!held(v) && (!is_zero(matrices.stiffness, v) || !is_zero(matrices.mass, v))) {
             return Error{ErrorCode::mass_not_positive, "the mass of vertex " + std::to_string(v) + " is not positive",
                          v};
         }
         diagonal[v] = unused[v] = 1;  // in no face: 1 x' = 1 x
     }
     mass_ = matrices.mass;
-    if (unused.any()) mass_ += SparseMatrix(unused.asDiagonal());
+    if (unused.any()) add_diagonal(mass_, unused);
 
     // M + tS = factor · part + diag(added)
     SparseMatrix sum;
     const SparseMatrix* part = &matrices.stiffness;
     double factor = time;
     Vector added = diagonal;
-    if (!is_diagonal(mass_) || !part->isCompressed() || !stores_diagonal(*part)) {
+    if (!fixed_.empty() || !is_diagonal(mass_) || !part->isCompressed() || !stores_diagonal(*part)) {
         sum = time * matrices.stiffness;
         sum += mass_;
         part = &sum;
@@ -173,6 +167,16 @@ Status ImplicitSmoother::build(const OperatorMatrices& matrices, double time, co
         }
         condition_ += size / diagonal[k] / n;
         keeps_constants_ = keeps_constants_ && std::abs(excess) <= constants_rounding * size;
+    }
+
+    if (!fixed_.empty()) {
+        // (M + tS)_II x'_I = M_II x_I - t S_IB x_B: what M couples to fixed vertices is the same on both sides.
+        coupling_ = held_entries(matrices.stiffness, time, *place);
+        Vector own = sum.diagonal();
+        for (double& entry : own)
+            if (!(entry > 0)) entry = 1;
+        hold_rows(sum, *place, own);
+        hold_rows(mass_, *place, own);
     }
 
     structure_ = matrices.structure;
@@ -245,14 +249,20 @@ Result<Points> ImplicitSmoother::step(const Points& points, Monitor monitor) {
         Eigen::RowVector3d centre = Eigen::RowVector3d::Zero();
         if (keeps_constants_ && points.rows() > 0) centre = points.colwise().mean();
         auto moved = solve(points.rowwise() - centre, monitor);
-        if (moved) moved->rowwise() += centre;
+        if (moved) {
+            moved->rowwise() += centre;
+            for (const Index v : fixed_)
+                moved->row(v) = points.row(v);
+        }
         steps_to_come_ = std::max(1, steps_to_come_ - 1);
         return moved;
     });
 }
 
 Result<Points> ImplicitSmoother::solve(const Points& points, Monitor monitor) {
-    const Points rhs = mass_ * points;
+    Points rhs = mass_ * points;
+    for (const auto& entry : coupling_)
+        rhs.row(entry.row()) -= entry.value() * points.row(entry.col());
     double done = 0;
     if (!factored_ && !needs_factor()) {
         constexpr double iterating = 0.9;  // of the progress; a factor takes the rest where that fails

@@ -4,16 +4,10 @@
 #include <vector>
 
 #include "polylap/solve/eigenpairs.hpp"
+#include "solve/sparse_loops.hpp"
 
 namespace polylap {
 namespace {
-
-bool is_zero(const SparseMatrix& a, Index column) {
-    for (SparseMatrix::InnerIterator it(a, column); it; ++it) {
-        if (it.value() != 0) return false;
-    }
-    return true;
-}
 
 /// M^-½ of the rows that are in an equation, and which these are.
 struct Scaling {

@@ -3,6 +3,7 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "polylap/operators/operator.hpp"
 #include "polylap/solve/linear_factor.hpp"
@@ -11,7 +12,8 @@ namespace polylap {
 
 struct SmoothingCost;
 
-enum class SmoothingSolver : std::uint8_t { cholesky, lu, conjugate_gradients };
+/// Diagonal: nothing to solve, as in explicit steps with a lumped mass.
+enum class SmoothingSolver : std::uint8_t { cholesky, lu, conjugate_gradients, diagonal };
 
 /// E.g. "conjugate-gradients": what JavaScript and the command line show.
 std::string_view solver_name(SmoothingSolver solver) noexcept;
@@ -20,6 +22,12 @@ std::string_view solver_name(SmoothingSolver solver) noexcept;
 struct SmoothingSolve {
     SmoothingSolver solver = SmoothingSolver::cholesky;
     int iterations = 0;  ///< Of conjugate gradients.
+};
+
+/// Where a step led.
+struct SmoothingStep {
+    Points points;  ///< V×3
+    SmoothingSolve solve;
 };
 
 struct SmootherOptions {
@@ -31,6 +39,8 @@ struct SmootherOptions {
     const Points* positions = nullptr;
     /// Analyses of other factors, tried before one is made: null or as analysis() gives them.
     std::span<const std::shared_ptr<const SpdAnalysis>> known = {};
+    /// Vertices that stay where they are (Dirichlet conditions), distinct.
+    std::span<const Index> fixed = {};
 };
 
 /// One implicit Euler step of the heat flow, (M + t S) x' = M x (Desbrun, Meyer, Schröder & Barr 1999). The smaller t,
@@ -40,10 +50,10 @@ struct SmootherOptions {
 class ImplicitSmoother {
 public:
     /// @param matrices any S; M diagonal or sparse, symmetric positive definite   @param time t > 0, length²
-    /// @error bad_argument (t not positive, sizes that do not fit), mass_not_positive (element = vertex: its diagonal
-    ///        entry of M), not_positive_definite (M + t S is not, or is singular if S is not positive semi-definite;
-    ///        element = vertex, -1 where none can be named; step says so where conjugate gradients were to serve),
-    ///        out_of_memory, cancelled
+    /// @error bad_argument (t not positive, sizes that do not fit, a fixed vertex out of range or twice),
+    ///        mass_not_positive (element = vertex: its diagonal entry of M), not_positive_definite (M + t S is not, or
+    ///        is singular if S is not positive semi-definite; element = vertex, -1 where none can be named; step says
+    ///        so where conjugate gradients were to serve), out_of_memory, cancelled
     static Result<ImplicitSmoother> create(const OperatorMatrices& matrices, double time,
                                            const SmootherOptions& options = {}, Monitor monitor = {});
 
@@ -63,7 +73,7 @@ public:
     /// Fits M + t S, where S is positive semi-definite its lower triangle. Null before there was a Cholesky factor.
     const std::shared_ptr<const SpdAnalysis>& analysis() const noexcept;
 
-    /// @param points V×3   @return V×3. Vertices without an equation (in no face) stay.
+    /// @param points V×3   @return V×3. Vertices without an equation (in no face) stay, and fixed ones.
     /// @error bad_argument (another number of rows, a point not finite, no system without an update that went well),
     ///        not_positive_definite (see create), out_of_memory, cancelled
     Result<Points> step(const Points& points, Monitor monitor = {});
@@ -85,6 +95,9 @@ private:
     /// M + tS for that mass; only its lower triangle where a Cholesky factor is all that reads it, nothing once it is
     /// factored.
     SparseMatrix system_;
+    /// t S_IB: what free vertices have from the fixed ones; system_ leaves it out.
+    std::vector<Eigen::Triplet<double, Index>> coupling_;
+    std::vector<Index> fixed_;
     bool whole_ = false;  ///< Whether system_ is all of it.
     double entries_ = 0;  ///< Of all of M + tS.
     Structure structure_ = Structure::positive_semidefinite;
