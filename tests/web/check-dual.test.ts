@@ -35,7 +35,7 @@ describe('check', () => {
 
   it('gives the reasons without hovering, and turns to the offending place', async () => {
     const { page } = at;
-    const opener = page.locator('[data-property=positiveWeights]').getByRole('button');
+    const opener = page.locator('[data-property=positiveWeights] .opener');
     await opener.focus();
     await page.keyboard.press('Enter');
     expect(await opener.getAttribute('aria-expanded')).toBe('true');

@@ -139,6 +139,10 @@ export class App {
     if (vertex !== hovered || face !== hoveredFace) this.results.set({ hovered: vertex, hoveredFace: face });
   }
 
+  readEdge(edge: number | null): void {
+    if (edge !== this.results.get().edge) this.results.set({ edge });
+  }
+
   /** To the next vertex, or the one before. */
   walk(by: number): void {
     const { mesh } = this.results.get();

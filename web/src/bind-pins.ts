@@ -163,7 +163,7 @@ class PinLabel implements Label {
       return;
     }
     app.say(`Pinned at vertex ${vertex}.`);
-    if (!viewer.project(view, vertex)?.visible) viewer.turnTo(view, vertex);
+    if (!viewer.project(view, vertex)?.visible) viewer.flyTo(view, vertex);
   }
 
   private edit(): void {

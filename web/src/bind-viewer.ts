@@ -113,7 +113,7 @@ export function bindViewer(app: App, viewer: Viewer): void {
       }
       const [vertex] = place?.vertices ?? [];
       // After the card has come into view where there is room for one.
-      if (place && vertex !== undefined) requestAnimationFrame(() => viewer.turnTo(place.side, vertex));
+      if (place && vertex !== undefined) requestAnimationFrame(() => viewer.flyTo(place.side, vertex));
     },
   );
 

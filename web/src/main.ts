@@ -1,4 +1,5 @@
 import { App } from './app.js';
+import { bindEdges } from './bind-edges.js';
 import { bindPins } from './bind-pins.js';
 import { bindInput, bindKeys, bindViewer } from './bind-viewer.js';
 import { bindWeights } from './bind-weights.js';
@@ -47,6 +48,7 @@ try {
   bindInput(app, viewer, views);
   bindPins(app, viewer, views);
   bindWeights(app, viewer);
+  bindEdges(app, viewer, views);
 } catch {
   void ready.then(() =>
     tell('This browser shows no WebGL, so the meshes cannot be drawn. All numbers are right without it.'),

@@ -185,6 +185,7 @@ export class Meshes {
       report: reportOf(mesh, label),
       hovered: null,
       hoveredFace: null,
+      edge: null,
       place: null,
       notice: describe(mesh, label),
     });

@@ -74,6 +74,8 @@ export interface Results {
   hovered: number | null;
   /** In Weights, the face that a click would select, where it would select no vertex. */
   hoveredFace: number | null;
+  /** Of the dual, the one that is read. */
+  edge: number | null;
   /** What the camera was turned to. */
   place: Place | null;
   /** What the next undo would take back, and the next redo bring again. */
@@ -111,6 +113,7 @@ export function noResults(): Results {
     playing: false,
     hovered: null,
     hoveredFace: null,
+    edge: null,
     place: null,
     undoes: null,
     redoes: null,

@@ -36,7 +36,8 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
     'data-view': side,
   });
   const at = h('span', { 'data-readout': 'vertex' });
-  const outside = h('span', { class: 'outside', 'data-readout': 'card-outside' });
+  const crossing = h('span', { 'data-readout': 'card-edge' });
+  const outside = h('span', { 'data-readout': 'card-outside' });
   const figures = h('p', { class: 'figures' });
   const element = h(
     'section',
@@ -44,7 +45,7 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
     h('header', { class: 'card-head' }, h('span', { class: 'badge', 'aria-hidden': 'true' }, letter), choose, formula),
     h('div', { class: 'count' }, loud, h('p', { class: 'count-text' }, caption, share), again),
     view,
-    h('p', { class: 'view-caption' }, at, outside),
+    h('p', { class: 'view-caption' }, at, outside, crossing),
     h('footer', { class: 'card-foot' }, parameterControls(app, side), figures),
   );
 
@@ -122,6 +123,19 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
       : [];
     put(outside, texts.filter(Boolean).join(' · '), shown ? leaving.length : null);
   };
+  const showEdge = () => {
+    const { edge, [side]: own } = app.results.get();
+    const dual = app.state.get().task === 'dual' ? known(own.dual) : null;
+    const [one = 0, other = 0] = dual && edge !== null ? dual.lengths.subarray(2 * edge, 2 * edge + 2) : [];
+    const shown = dual?.weights[edge ?? -1];
+    put(
+      crossing,
+      shown === undefined ? '' : `edge ${edge}: lengths ${real(one, 3)}, ${real(other, 3)}; weight ${real(shown, 3)}`,
+      shown,
+    );
+  };
+  app.results.watch((results) => [results.edge, results[side].dual], showEdge);
+  app.state.watch((state) => [state.task], showEdge);
   app.results.watch((results) => [results[side].harmonic], showOutside);
   app.state.watch((state) => [state.task], showOutside);
   app.results.watch((results) => [results.hovered, results.hoveredFace, results[side].harmonic], showVertex);

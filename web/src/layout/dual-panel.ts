@@ -5,6 +5,7 @@ import type { Dual, Geometry } from '../polylap.js';
 import { known } from '../results.js';
 import { operatorOf, type State, sides } from '../state.js';
 import { button, numberField, slider } from './controls.js';
+import { edgeSection } from './edge-section.js';
 import { vertexField } from './number-walk.js';
 import { sideTable } from './table.js';
 import { vertexWeights } from './vertex-weights.js';
@@ -112,8 +113,9 @@ export function dualPanel(app: App): HTMLElement {
       h('h2', {}, 'Drawn'),
       layer('primal', 'primal', 'primal edges'),
       layer('edges', 'dual', 'dual edges and vertices'),
-      layer('points', 'point', 'edge points'),
+      layer('points', 'point', 'edge points, where dual edges cross'),
     ),
+    edgeSection(app),
     weights,
   );
 

@@ -75,12 +75,19 @@ export function propertyTable(app: App): HTMLElement {
         cells[side].replaceChildren(
           h('span', { class: 'claim' }, where),
           ' ',
-          h(
-            'span',
-            { class: `verdict ${finding.verdict}`, 'data-verdict': finding.verdict },
-            h('span', { 'aria-hidden': 'true' }, sign),
-            h('span', { class: 'unseen' }, `, ${word}`),
-          ),
+          finding.vertices.length > 0
+            ? button(sign, () => app.show({ side, vertices: finding.vertices }), {
+                class: `verdict ${finding.verdict}`,
+                'data-verdict': finding.verdict,
+                'aria-label': `${property.label} ${word} on ${side.toUpperCase()}: show ${placeName(finding.vertices)}`,
+                title: `Show ${placeName(finding.vertices)}`,
+              })
+            : h(
+                'span',
+                { class: `verdict ${finding.verdict}`, 'data-verdict': finding.verdict },
+                h('span', { 'aria-hidden': 'true' }, sign),
+                h('span', { class: 'unseen' }, `, ${word}`),
+              ),
         );
         details[side].replaceChildren(
           h('p', {}, h('b', {}, side.toUpperCase()), ` claims ${where}: ${why}.`),

@@ -7,6 +7,13 @@ import { leaveScrolling } from './host-scroll.js';
 const fill = 0.94;
 const sampleLimit = 20_000;
 
+/** To look at a target from a direction, of unit length, and a distance. */
+export interface Flight {
+  from: Vector3;
+  target: Vector3;
+  distance: number;
+}
+
 /** One camera for both views, turned by either: what links them. */
 export class LinkedCamera {
   readonly camera = new PerspectiveCamera(28, 1, 0.01, 100);
@@ -161,40 +168,56 @@ export class LinkedCamera {
   /** A slow turn that comes to rest at home: depth shows itself once. */
   nudge(): void {
     const total = 0.22;
-    this.turn(-total, 0);
-    this.glide(1800, total, 0);
+    let turned = 0;
+    this.animate(1800, (t) => {
+      const angle = (t - 1) * total;
+      this.turn(angle - turned, 0);
+      turned = angle;
+    });
   }
 
-  /** Turns by angles within a time, in ms, slower and slower. */
-  private glide(span: number, theta: number, phi: number, told = false): void {
+  /** Goes from 0 to 1 within a time, in ms, slower and slower. */
+  private animate(span: number, show: (t: number) => void, over = () => {}): void {
     const began = performance.now();
-    let done = 0;
+    show(0);
     const frame = (now: number) => {
       const t = Math.min(1, Math.max(0, (now - began) / span));
-      const reached = 1 - (1 - t) ** 3;
-      this.turn((reached - done) * theta, (reached - done) * phi);
-      done = reached;
+      show(1 - (1 - t) ** 3);
       if (t < 1) this.nudging = requestAnimationFrame(frame);
-      else if (told) this.rest();
+      else over();
     };
     this.nudging = requestAnimationFrame(frame);
   }
 
-  /** Turns to look from a direction, at the same distance; at once for those who ask for less motion. */
-  face(from: Vector3): void {
+  /** At once for those who ask for less motion. */
+  fly({ from, target, distance }: Flight): void {
     this.take();
+    const [nearest = 0] = this.controls.map(({ minDistance }) => minDistance);
     const goal = new Spherical().setFromVector3(from);
+    goal.radius = Math.max(distance, nearest);
     goal.makeSafe();
-    const start = new Spherical().setFromVector3(this.camera.position.clone().sub(this.target));
+    const away = target.clone();
+    const here = this.target.clone();
+    const start = new Spherical().setFromVector3(this.camera.position.clone().sub(here));
     // The shorter way round.
-    const theta = goal.theta - start.theta - 2 * Math.PI * Math.round((goal.theta - start.theta) / (2 * Math.PI));
-    const phi = goal.phi - start.phi;
-    if (matchMedia('(prefers-reduced-motion: reduce)').matches) {
-      this.turn(theta, phi);
-      this.rest();
+    goal.theta -= 2 * Math.PI * Math.round((goal.theta - start.theta) / (2 * Math.PI));
+    const between = (one: number, other: number, t: number) => one + t * (other - one);
+    const show = (t: number) => {
+      this.target.lerpVectors(here, away, t);
+      const around = new Spherical(
+        start.radius * (goal.radius / start.radius) ** t,
+        between(start.phi, goal.phi, t),
+        between(start.theta, goal.theta, t),
+      );
+      this.camera.position.setFromSpherical(around).add(this.target);
+      this.settle();
+    };
+    if (!matchMedia('(prefers-reduced-motion: reduce)').matches) {
+      this.animate(500, show, () => this.rest());
       return;
     }
-    this.glide(450, theta, phi, true);
+    show(1);
+    this.rest();
   }
 
   centre(): Vector3 {
@@ -206,15 +229,30 @@ export class LinkedCamera {
     return this.camera.position.clone().sub(this.target).normalize();
   }
 
-  /** Where the eye would be after facing from a direction. */
-  placeFrom(direction: Vector3): Vector3 {
-    return this.target.clone().addScaledVector(direction, this.distance());
+  /** Where the eye would be after a flight. */
+  placeAfter({ from, target, distance }: Flight): Vector3 {
+    return target.clone().addScaledVector(from, distance);
+  }
+
+  /** Whether a place would be well inside the view then. */
+  wouldShow(place: Vector3, flight: Flight): boolean {
+    const then = this.camera.clone();
+    then.position.copy(this.placeAfter(flight));
+    then.lookAt(flight.target);
+    then.updateMatrixWorld();
+    const { x, y, z } = place.clone().project(then);
+    return Math.max(Math.abs(x), Math.abs(y)) < 0.9 && z < 1;
   }
 
   /** The length that a pixel covers at a place, in a view of that height. */
   lengthPerPixel(at: Vector3, height: number): number {
     const depth = at.clone().sub(this.camera.position).dot(this.direction().negate());
     return (2 * depth * Math.tan((this.camera.fov * Math.PI) / 360)) / height;
+  }
+
+  /** From where a pixel covers a length, in a view of that height. */
+  distanceFor(lengthPerPixel: number, height: number): number {
+    return (lengthPerPixel * height) / (2 * Math.tan((this.camera.fov * Math.PI) / 360));
   }
 
   distance(): number {

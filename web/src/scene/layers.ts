@@ -11,6 +11,7 @@ export type LayerName =
   | 'dualEdges'
   | 'dualVertices'
   | 'edgePoints'
+  | 'edgeRead'
   | 'weights'
   | 'place'
   | 'spokes'
@@ -54,6 +55,13 @@ function insidePoints({ edgeFaces, edgePoints }: Dual): Float32Array {
       kept.push(...point);
   }
   return Float32Array.from(kept);
+}
+
+/** The point that is read; none where the dual edge does not cross. */
+export function edgePoint({ edgePoints }: Dual, edge: number, length: number): Dots | null {
+  const point = edgePoints.slice(3 * edge, 3 * edge + 3);
+  if (point.length < 3 || !point.every(Number.isFinite)) return null;
+  return new Dots(point, { ink: 'accent', shape: 'hollow', size: 15, lift: 0.4 * length, spacing: Infinity });
 }
 
 const circleSides = 48;

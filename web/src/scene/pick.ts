@@ -49,6 +49,38 @@ export function meant(aim: Aim, geometry: Geometry, points: Float32Array): Meant
   return { vertex, face: away > atCorner[kind] && distance(mx, my, mz) < away ? face : null };
 }
 
+/**
+ * Of some points by a surface, the nearest within reach that the surface does not hide.
+ * @param slack how deep under the surface a point may lie, a length
+ */
+export function meantPoint(
+  aim: Aim,
+  loose: Float32Array,
+  points: Float32Array,
+  triangles: Int32Array,
+  slack: number,
+): number | null {
+  const distance = distanceIn(aim);
+  const coordinate = (k: number, c: number) => loose[3 * k + c] as number;
+  const away = (k: number) => distance(coordinate(k, 0), coordinate(k, 1), coordinate(k, 2));
+  const within: { k: number; away: number }[] = [];
+  for (let k = 0; k < loose.length / 3; k++) {
+    const pixels = away(k);
+    if (pixels < reach[aim.touch ? 'touch' : 'fine']) within.push({ k, away: pixels });
+  }
+  within.sort((one, other) => one.away - other.away);
+  const inverse = aim.clip.clone().invert();
+  // In a crowd the first few decide: each costs a ray.
+  for (const { k } of within.slice(0, 6)) {
+    const point = new Vector3(coordinate(k, 0), coordinate(k, 1), coordinate(k, 2));
+    const eye = point.clone().applyMatrix4(aim.clip).setZ(-1).applyMatrix4(inverse);
+    const direction = point.sub(eye);
+    const hit = firstHit(eye, direction, points, triangles);
+    if (!hit || hit.along > 1 - slack / direction.length()) return k;
+  }
+  return null;
+}
+
 /** From a point of the model to the one aimed at, in pixels; no vectors on the way, for there may be a million. */
 function distanceIn({ x, y, width, height, clip }: Aim): (px: number, py: number, pz: number) => number {
   const e = clip.elements;

@@ -14,9 +14,9 @@ export interface TapListener {
   /** At once. */
   tap: (at: Tap) => void;
   /** As soon as no second tap can follow: what a double tap should not do on its way. */
-  single: (at: Tap) => void;
+  single?: (at: Tap) => void;
   /** Two taps of one finger. */
-  double: () => void;
+  double?: () => void;
 }
 
 /** Tells clicks and taps from turning, pinching and scrolling. */
@@ -42,7 +42,7 @@ export function onTap(view: HTMLElement, { tap, single, double }: TapListener): 
     if (!still) return;
     if (!at.touch) {
       tap(at);
-      single(at);
+      single?.(at);
       return;
     }
     const again =
@@ -52,10 +52,10 @@ export function onTap(view: HTMLElement, { tap, single, double }: TapListener): 
     clearTimeout(waiting);
     last = again ? null : { at, time: timeStamp };
     if (again) {
-      double();
+      double?.();
       return;
     }
     tap(at);
-    waiting = setTimeout(() => single(at), doubleTap.span);
+    waiting = setTimeout(() => single?.(at), doubleTap.span);
   });
 }

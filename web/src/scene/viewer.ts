@@ -6,12 +6,13 @@ import { type View, views } from '../state.js';
 import { LinkedCamera } from './camera.js';
 import { readColours } from './colours.js';
 import { type Outside, triangleTexture } from './data-texture.js';
+import { flightTo } from './flight.js';
 import { HoverRing } from './hover-ring.js';
 import { type Label, Labels } from './labels.js';
 import { type Layer, type LayerName, vertexNormal } from './layers.js';
 import { type Mark, Markers } from './markers.js';
 import { photograph } from './photograph.js';
-import { type Meant, meant } from './pick.js';
+import { type Aim, type Meant, meant, meantPoint } from './pick.js';
 import { hidden } from './ray.js';
 import { Surface } from './surface.js';
 
@@ -233,16 +234,30 @@ export class Viewer {
 
   /** What is meant by a point of the page. */
   meant(view: View, clientX: number, clientY: number, touch = false): Meant {
+    const aimed = this.aimAt(view, clientX, clientY, touch);
+    return aimed && this.geometry
+      ? meant(aimed.aim, this.geometry, aimed.surface.points)
+      : { vertex: null, face: null };
+  }
+
+  /** Which of some points by the surface, 3 coordinates each, is meant by a point of the page. */
+  pickPoint(view: View, clientX: number, clientY: number, points: Float32Array, touch: boolean): number | null {
+    const aimed = this.aimAt(view, clientX, clientY, touch);
+    if (!aimed || !this.geometry) return null;
+    return meantPoint(aimed.aim, points, aimed.surface.points, this.geometry.triangles, 0.3 * this.meanEdge);
+  }
+
+  private aimAt(view: View, clientX: number, clientY: number, touch: boolean): { aim: Aim; surface: Surface } | null {
     const box = this.places[view].getBoundingClientRect();
     const [x, y] = [clientX - box.x, clientY - box.y];
     const there = this.contentsOf(view, box.width).find(({ from, to }) => from <= x && x < to);
-    if (!there || !this.geometry || box.width === 0) return { vertex: null, face: null };
+    if (!there || box.width === 0) return null;
     this.aim(box);
     const { camera } = this.camera;
     const { scene, surface } = there.shown;
     const clip = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
     const { width, height } = box;
-    return meant({ x, y, width, height, touch, clip: clip.multiply(scene.matrix) }, this.geometry, surface.points);
+    return { aim: { x, y, width, height, touch, clip: clip.multiply(scene.matrix) }, surface };
   }
 
   /** A vertex that is seen near the middle of the first view there is, rather below it: there the surface faces the eye. */
@@ -261,27 +276,20 @@ export class Viewer {
     return surface && this.geometry ? vertexNormal(this.geometry, surface.faceNormals, vertex) : [0, 0, 1];
   }
 
-  /** Turns the camera until a vertex is seen, unless it is in full view already. */
-  turnTo(view: View, vertex: number): void {
-    const { shown, geometry } = this;
-    if (!shown || !geometry) return;
-    const { surface, scene } = shown[view];
-    const normal = new Vector3(...this.normalOf(view, vertex)).transformDirection(scene.matrix);
-    const at = this.toWorld(shown[view], vertex);
-    const now = this.camera.direction();
-    const seen = (from: Vector3) => {
-      const eye = this.toModel(shown[view], this.camera.placeFrom(from));
-      return !hidden(eye, vertex, surface.points, geometry.triangles);
-    };
-    if (this.project(view, vertex)?.visible && normal.dot(now) > 0.5) return;
-    // Rather from above and from outside than straight on, where something stands before it.
-    const up = new Vector3(0, 1, 0);
-    const out = at.clone().sub(this.camera.centre()).normalize();
-    const wishes = [0.3, 0.8, 1.5].flatMap((lean) =>
-      [up, out, now].map((to) => normal.clone().addScaledVector(to, lean)),
+  /** Flies to where a vertex and the edges around it are seen, unless they are in full view already. */
+  flyTo(view: View, vertex: number): void {
+    const shown = this.shown?.[view];
+    const box = this.places[view].getBoundingClientRect();
+    if (!shown || !this.geometry || box.height === 0) return;
+    this.aim(box);
+    const normal = new Vector3(...this.normalOf(view, vertex)).transformDirection(shown.scene.matrix);
+    const { points } = shown.surface;
+    const flight = flightTo(
+      { vertex, normal, points, matrix: shown.scene.matrix, height: box.height },
+      this.geometry,
+      this.camera,
     );
-    const directions = [...wishes, normal, up, out, normal.clone().negate()].filter((from) => from.length() > 1e-3);
-    this.camera.face(directions.map((from) => from.normalize()).find(seen) ?? normal);
+    if (flight) this.camera.fly(flight);
   }
 
   private toWorld(shown: Shown, vertex: number): Vector3 {

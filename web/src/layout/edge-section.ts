@@ -1,0 +1,77 @@
+import type { App } from '../app.js';
+import { h } from '../dom.js';
+import { real } from '../format.js';
+import type { Dual } from '../polylap.js';
+import { known } from '../results.js';
+import { sides } from '../state.js';
+import { numberField } from './controls.js';
+import { sideTable } from './table.js';
+
+/** What the duals say about one edge: the signed lengths of both halves of its dual edge, and its weight. */
+export function edgeSection(app: App): HTMLElement {
+  const field = numberField({
+    label: 'Edge',
+    min: 0,
+    max: () => Math.max(0, edgesOf(known(app.results.get().a.dual)) - 1),
+    integer: true,
+    step: 1,
+    onChange: (edge) => app.readEdge(edge),
+    onEmpty: () => app.readEdge(null),
+    onRefuse: (why) => app.say(why),
+  });
+  field.element.placeholder = 'none';
+  field.element.dataset.field = 'edge';
+  const between = h('span', { class: 'note', 'data-readout': 'edge-vertices' });
+  const table = sideTable('Edge point', [
+    { id: 'edge-left', name: 'one side' },
+    { id: 'edge-right', name: 'other side' },
+    { id: 'edge-weight', name: 'weight' },
+  ]);
+  const element = h(
+    'section',
+    {},
+    h('div', { class: 'vertex-field' }, h('h2', {}, 'Edge'), field.element, between),
+    table.element,
+    h(
+      'p',
+      { class: 'note' },
+      'Point at an edge point, or tap it. Lengths go from there to the dual points of both faces; they are negative where the dual point lies beyond the edge. The weight is their sum over the length of the edge.',
+    ),
+  );
+  const show = () => {
+    const { edge, a } = app.results.get();
+    const of = known(a.dual);
+    field.set(edge);
+    const there = edge !== null && of !== null && edge < edgesOf(of);
+    const [i, j] = there ? of.edgeVertices.subarray(2 * edge, 2 * edge + 2) : [];
+    between.textContent = there ? `between ${i} and ${j}` : '';
+    const ends = [
+      ['edge-left', 0],
+      ['edge-right', 1],
+    ] as const;
+    for (const [id, k] of ends) {
+      const face = there ? (of.edgeFaces[2 * edge + k] ?? -1) : -1;
+      table.rename(id, !there ? (k === 0 ? 'one side' : 'other side') : face < 0 ? 'boundary' : `to face ${face}`);
+    }
+    for (const side of sides) {
+      const dual = known(app.results.get()[side].dual);
+      const put = (id: string, value: number | undefined) =>
+        table.set(
+          id,
+          side,
+          value === undefined || !Number.isFinite(value)
+            ? { text: '–' }
+            : { text: real(value, 3), value, class: value < 0 ? 'negative' : '' },
+        );
+      for (const [id, k] of ends) {
+        const inside = there && (of.edgeFaces[2 * edge + k] ?? -1) >= 0;
+        put(id, inside ? dual?.lengths[2 * edge + k] : undefined);
+      }
+      put('edge-weight', there ? dual?.weights[edge] : undefined);
+    }
+  };
+  app.results.watch((results) => [results.edge, results.a.dual, results.b.dual], show);
+  return element;
+}
+
+const edgesOf = (dual: Dual | null) => dual?.weights.length ?? 0;
