@@ -81,6 +81,8 @@ const handle = {
   idle: () => app.idle,
   /** Where a vertex is on the page, in CSS pixels, and whether nothing hides it. */
   project: (view: View, vertex: number) => viewer?.project(view, vertex) ?? null,
+  /** What is held on the graphics card; null without one. */
+  held: () => viewer?.held ?? null,
 };
 Object.assign(globalThis, { polylap: handle });
 declare global {

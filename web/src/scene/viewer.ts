@@ -26,6 +26,9 @@ interface Shown {
 /** From how many pixels an edge on there is room to hatch the area around a vertex. */
 const roomyEdge = 16;
 
+/** More than that is not kept for the next frame: a page that is not seen draws none. */
+const mostRetired = 64;
+
 /** Two views of the mesh in one canvas: one renderer, one camera, a scissored rectangle each. Draws when something changed, not otherwise. */
 export class Viewer {
   readonly camera: LinkedCamera;
@@ -43,6 +46,8 @@ export class Viewer {
   private geometry: Geometry | null = null;
   private triangles: Texture | null = null;
   private frame = 0;
+  /** What is drawn no more. It goes after the next frame: what comes in its place uses the same programs, which need not be compiled again. */
+  private retired: { dispose(): void }[] = [];
   private readonly hiddenLayers = new Set<LayerName>();
   /** Of the loaded mesh. */
   meanEdge = 1;
@@ -115,7 +120,7 @@ export class Viewer {
     if (!shown || (!before && !layer)) return;
     if (before) {
       shown.scene.remove(before.object);
-      before.dispose();
+      this.retire(before);
       shown.layers.delete(name);
     }
     if (layer) {
@@ -382,6 +387,7 @@ export class Viewer {
       this.placeLabels(view, box);
     }
     this.ring.place();
+    this.bury();
     this.afterFrame();
   }
 
@@ -401,6 +407,21 @@ export class Viewer {
     );
   }
 
+  private retire(...gone: { dispose(): void }[]): void {
+    this.retired.push(...gone);
+    if (this.retired.length > mostRetired) this.bury();
+  }
+
+  private bury(): void {
+    for (const gone of this.retired.splice(0)) gone.dispose();
+  }
+
+  /** What is held on the graphics card, in numbers. */
+  get held(): { geometries: number; textures: number; programs: number } {
+    const { memory, programs } = this.renderer.info;
+    return { geometries: memory.geometries, textures: memory.textures, programs: programs?.length ?? 0 };
+  }
+
   /** What a view of that width shows, from which pixel to which. */
   private contentsOf(view: View, width: number): { shown: Shown; from: number; to: number }[] {
     const { shown, swipe } = this;
@@ -416,11 +437,9 @@ export class Viewer {
   private clear(): void {
     for (const view of views) {
       const shown = this.shown?.[view];
-      shown?.surface.dispose();
-      for (const layer of shown?.layers.values() ?? []) layer.dispose();
-      shown?.markers.dispose();
+      if (shown) this.retire(shown.surface, ...shown.layers.values(), shown.markers);
     }
-    this.triangles?.dispose();
+    if (this.triangles) this.retire(this.triangles);
     this.shown = null;
   }
 }
