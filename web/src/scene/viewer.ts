@@ -14,6 +14,7 @@ import { type Mark, Markers } from './markers.js';
 import { photograph } from './photograph.js';
 import { type Aim, type Meant, meant, meantPoint } from './pick.js';
 import { hidden } from './ray.js';
+import { Retired } from './retired.js';
 import { Surface } from './surface.js';
 
 interface Shown {
@@ -25,9 +26,6 @@ interface Shown {
 
 /** From how many pixels an edge on there is room to hatch the area around a vertex. */
 const roomyEdge = 16;
-
-/** More than that is not kept for the next frame: a page that is not seen draws none. */
-const mostRetired = 64;
 
 /** Two views of the mesh in one canvas: one renderer, one camera, a scissored rectangle each. Draws when something changed, not otherwise. */
 export class Viewer {
@@ -46,8 +44,7 @@ export class Viewer {
   private geometry: Geometry | null = null;
   private triangles: Texture | null = null;
   private frame = 0;
-  /** What is drawn no more. It goes after the next frame: what comes in its place uses the same programs, which need not be compiled again. */
-  private retired: { dispose(): void }[] = [];
+  private readonly retired = new Retired();
   private readonly hiddenLayers = new Set<LayerName>();
   /** Of the loaded mesh. */
   meanEdge = 1;
@@ -120,7 +117,7 @@ export class Viewer {
     if (!shown || (!before && !layer)) return;
     if (before) {
       shown.scene.remove(before.object);
-      this.retire(before);
+      this.retired.add(before);
       shown.layers.delete(name);
     }
     if (layer) {
@@ -387,7 +384,7 @@ export class Viewer {
       this.placeLabels(view, box);
     }
     this.ring.place();
-    this.bury();
+    this.retired.dispose();
     this.afterFrame();
   }
 
@@ -405,15 +402,6 @@ export class Viewer {
       box.width,
       box.height,
     );
-  }
-
-  private retire(...gone: { dispose(): void }[]): void {
-    this.retired.push(...gone);
-    if (this.retired.length > mostRetired) this.bury();
-  }
-
-  private bury(): void {
-    for (const gone of this.retired.splice(0)) gone.dispose();
   }
 
   /** What is held on the graphics card, in numbers. */
@@ -437,9 +425,9 @@ export class Viewer {
   private clear(): void {
     for (const view of views) {
       const shown = this.shown?.[view];
-      if (shown) this.retire(shown.surface, ...shown.layers.values(), shown.markers);
+      if (shown) this.retired.add(shown.surface, ...shown.layers.values(), shown.markers);
     }
-    if (this.triangles) this.retire(this.triangles);
+    if (this.triangles) this.retired.add(this.triangles);
     this.shown = null;
   }
 }
