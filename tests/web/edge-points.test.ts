@@ -41,7 +41,7 @@ describe('an edge point', () => {
     await shows(page, 'edge-right', 0.5, 0.5, 1e-9);
     expect(await page.locator('[data-readout=edge-vertices]').textContent()).toBe('between 40 and 41');
     expect(await page.locator('[data-side=a] [data-readout=card-edge]').textContent()).toBe(
-      `edge ${edge}: lengths 0.500, 0.500; weight 1.00`,
+      `edge ${edge}: 0.500 and 0.500, weight 1.00`,
     );
     await picture(page, 'edge-point');
     // Of no other edge, as long as no other is near.

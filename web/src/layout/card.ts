@@ -130,7 +130,7 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
     const shown = dual?.weights[edge ?? -1];
     put(
       crossing,
-      shown === undefined ? '' : `edge ${edge}: lengths ${real(one, 3)}, ${real(other, 3)}; weight ${real(shown, 3)}`,
+      shown === undefined ? '' : `edge ${edge}: ${real(one, 3)} and ${real(other, 3)}, weight ${real(shown, 3)}`,
       shown,
     );
   };

@@ -1,6 +1,6 @@
 import type { App } from '../app.js';
 import { h } from '../dom.js';
-import { count, real } from '../format.js';
+import { cleared, count, real } from '../format.js';
 import { known } from '../results.js';
 import { sides } from '../state.js';
 import { button, menu } from './controls.js';
@@ -51,7 +51,9 @@ function numbers(app: App): HTMLElement {
           table.set(id, side, value === undefined ? { text: '–' } : { text: write(value), value });
         put('negative-ordered', check?.negativeOrdered, count);
         put('negative-pairs', check?.negativePairs, count);
-        put('smallest-eigenvalue', check?.smallestEigenvalue, (value) => real(value, 3));
+        put('smallest-eigenvalue', check?.smallestEigenvalue, (value) =>
+          real(cleared(value, check?.largestEigenvalue ?? 0), 3),
+        );
         put('largest-eigenvalue', check?.largestEigenvalue, (value) => real(value, 4));
         put('kernel', check?.kernelDimension, (value) => `${check?.kernelComplete ? '' : 'at least '}${count(value)}`);
         put('components', check?.components, count);
