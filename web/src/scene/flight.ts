@@ -1,37 +1,24 @@
-import { type Matrix4, Vector3 } from 'three';
+import { Vector3 } from 'three';
 import { neighbours } from '../neighbours.js';
-import type { Geometry } from '../polylap.js';
 import type { Flight, LinkedCamera } from './camera.js';
+import type { Content } from './content.js';
 import { hidden } from './ray.js';
 
 /** In pixels: edges shorter than the least are flown to until they are as long as wanted. */
 const clearEdge = { least: 10, wanted: 36 };
 
-export interface Sight {
-  vertex: number;
-  /** Of the surface there, in the world. */
-  normal: Vector3;
-  /** 3V, of the model. */
-  points: Float32Array;
-  /** From the model to the world. */
-  matrix: Matrix4;
-  /** Of the view, in pixels. */
-  height: number;
-}
-
-/** Where the camera should fly for a vertex and its edges to be in full view; null if they are. */
-export function flightTo(sight: Sight, geometry: Geometry, camera: LinkedCamera): Flight | null {
-  const { vertex, normal, points, matrix, height } = sight;
-  const placeOf = (v: number) => new Vector3().fromArray(points, 3 * v).applyMatrix4(matrix);
-  const at = placeOf(vertex);
-  const around = neighbours(geometry, vertex).map((other) => placeOf(other).distanceTo(at));
+/** Where the camera should fly for a vertex and its edges to be in full view; null if they are. @param height of the view, in pixels */
+export function flightTo(content: Content, vertex: number, height: number, camera: LinkedCamera): Flight | null {
+  const { geometry, surface, scene } = content;
+  const normal = new Vector3(...content.normalOf(vertex)).transformDirection(scene.matrix);
+  const at = content.placeOf(vertex);
+  const around = neighbours(geometry, vertex).map((other) => content.placeOf(other).distanceTo(at));
   const edge = around.reduce((sum, length) => sum + length, 0) / (around.length || 1);
   const near = edge === 0 || edge >= clearEdge.least * camera.lengthPerPixel(at, height);
   const distance = near ? camera.distance() : camera.distanceFor(edge / clearEdge.wanted, height);
-  const toModel = matrix.clone().invert();
   const seen = (flight: Flight) =>
     camera.wouldShow(at, flight) &&
-    !hidden(camera.placeAfter(flight).applyMatrix4(toModel), vertex, points, geometry.triangles);
+    !hidden(content.toModel(camera.placeAfter(flight)), vertex, surface.points, geometry.triangles);
 
   const now = camera.direction();
   const stay = { from: now, target: camera.centre(), distance };

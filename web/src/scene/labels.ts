@@ -1,5 +1,6 @@
-import type { Camera, Vector3 } from 'three';
+import type { Camera } from 'three';
 import { h } from '../dom.js';
+import type { Content } from './content.js';
 import { hidden } from './ray.js';
 
 /** More labels than this would cover the mesh. */
@@ -60,24 +61,18 @@ export class Labels {
     for (const each of this.controls()) each.control.tabIndex = each.control === control ? 0 : -1;
   }
 
-  place(
-    camera: Camera,
-    points: Float32Array,
-    triangles: Int32Array,
-    toWorld: (vertex: number) => Vector3,
-    toModel: (world: Vector3) => Vector3,
-    width: number,
-    height: number,
-  ): void {
+  place(camera: Camera, content: Content, width: number, height: number): void {
     const labels = this.all();
     if (labels.length === 0) return;
-    const eye = toModel(camera.position.clone());
+    const { points } = content.surface;
+    const { triangles } = content.geometry;
+    const eye = content.toModel(camera.position);
     const testable = (labels.length * triangles.length) / 3 <= testLimit;
     const taken: { x: number; y: number; width: number }[] = [];
     const wishes = labels
       .map((label) => {
         const own = label.element.offsetWidth;
-        const at = toWorld(label.vertex).project(camera);
+        const at = content.placeOf(label.vertex).project(camera);
         const [px, py] = [((at.x + 1) / 2) * width, ((1 - at.y) / 2) * height];
         const spots = [py - labelHeight - 2, py + 2].flatMap((y) => [px + 9, px - 9 - own].map((x) => ({ x, y })));
         const fits = ({ x, y }: { x: number; y: number }) =>

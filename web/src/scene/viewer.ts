@@ -1,31 +1,22 @@
-import { Matrix4, Scene, type Texture, Vector3, WebGLRenderer } from 'three';
+import { Matrix4, type Texture, Vector3, WebGLRenderer } from 'three';
 import { type ColourMap, colourTexture } from '../colour-maps.js';
 import { meanEdge } from '../mean-edge.js';
 import type { Geometry } from '../polylap.js';
 import { type View, views } from '../state.js';
 import { LinkedCamera } from './camera.js';
 import { readColours } from './colours.js';
+import { Content } from './content.js';
 import { type Outside, triangleTexture } from './data-texture.js';
 import { flightTo } from './flight.js';
 import { HoverRing } from './hover-ring.js';
 import { type Label, Labels } from './labels.js';
-import { type Layer, type LayerName, vertexNormal } from './layers.js';
-import { type Mark, Markers } from './markers.js';
+import type { Layer, LayerName } from './layers.js';
+import type { Mark } from './markers.js';
 import { photograph } from './photograph.js';
 import { type Aim, type Meant, meant, meantPoint } from './pick.js';
 import { hidden } from './ray.js';
 import { Retired } from './retired.js';
-import { Surface } from './surface.js';
-
-interface Shown {
-  scene: Scene;
-  surface: Surface;
-  layers: Map<LayerName, Layer>;
-  markers: Markers;
-}
-
-/** From how many pixels an edge on there is room to hatch the area around a vertex. */
-const roomyEdge = 16;
+import type { Surface } from './surface.js';
 
 /** Two views of the mesh in one canvas: one renderer, one camera, a scissored rectangle each. Draws when something changed, not otherwise. */
 export class Viewer {
@@ -38,7 +29,7 @@ export class Viewer {
   };
   private readonly labels: Record<View, Labels>;
   private readonly ring: HoverRing;
-  private shown: Record<View, Shown> | null = null;
+  private shown: Record<View, Content> | null = null;
   /** Where the third view shows A on its left and B on its right: which share of it is A's. */
   private swipe: number | null = null;
   private geometry: Geometry | null = null;
@@ -83,19 +74,8 @@ export class Viewer {
     this.clear();
     this.geometry = geometry;
     this.triangles = triangleTexture(geometry.triangles, geometry.triangleEdges, geometry.triangleFaces);
-    const count = geometry.positions.length / 3;
     this.meanEdge = meanEdge(geometry);
-    const lift = 0.35 * this.meanEdge;
-    const make = (): Shown => {
-      const scene = new Scene();
-      const surface = new Surface(geometry, count, this.triangles as Texture, this.maps.viridis);
-      const markers = new Markers(surface.positions.texture, lift);
-      scene.add(surface.mesh, markers.object);
-      scene.matrixAutoUpdate = false;
-      scene.matrix.copy(zIsUp ? new Matrix4().makeRotationX(-Math.PI / 2) : new Matrix4());
-      scene.updateMatrixWorld(true);
-      return { scene, surface, layers: new Map(), markers };
-    };
+    const make = () => new Content(geometry, this.triangles as Texture, this.maps.viridis, this.meanEdge, zIsUp);
     this.shown = { a: make(), b: make(), delta: make() };
     this.recolour();
     this.framed = true;
@@ -113,30 +93,18 @@ export class Viewer {
   /** Puts a layer in the place of the one with that name; null: none. */
   setLayer(view: View, name: LayerName, layer: Layer | null): void {
     const shown = this.shown?.[view];
-    const before = shown?.layers.get(name);
-    if (!shown || (!before && !layer)) return;
-    if (before) {
-      shown.scene.remove(before.object);
-      this.retired.add(before);
-      shown.layers.delete(name);
-    }
-    if (layer) {
-      layer.object.visible = !this.hiddenLayers.has(name);
-      shown.layers.set(name, layer);
-      shown.scene.add(layer.object);
-      layer.object.updateMatrixWorld(true);
-      this.recolour();
-    }
+    if (!shown) return;
+    const before = shown.setLayer(name, layer, !this.hiddenLayers.has(name));
+    if (!before && !layer) return;
+    if (before) this.retired.add(before);
+    if (layer) this.recolour();
     this.request();
   }
 
   showLayer(name: LayerName, visible: boolean): void {
     if (visible) this.hiddenLayers.delete(name);
     else this.hiddenLayers.add(name);
-    for (const view of views) {
-      const layer = this.shown?.[view].layers.get(name);
-      if (layer) layer.object.visible = visible;
-    }
+    for (const view of views) this.shown?.[view].showLayer(name, visible);
     this.request();
   }
 
@@ -187,20 +155,7 @@ export class Viewer {
   /** Reads the colours anew, after the theme changed. */
   recolour(): void {
     const colours = readColours(this.canvas.parentElement ?? document.body);
-    for (const view of views) {
-      const shown = this.shown?.[view];
-      if (!shown) continue;
-      const take = (material: { uniforms: Record<string, { value: unknown }> }) => {
-        for (const [name, colour] of Object.entries(colours))
-          if (material.uniforms[name]) material.uniforms[name].value = colour;
-      };
-      take(shown.surface.material);
-      take(shown.markers.material);
-      for (const { material, ink } of shown.layers.values()) {
-        take(material);
-        if (material.uniforms.ink) material.uniforms.ink.value = colours[ink];
-      }
-    }
+    for (const view of views) this.shown?.[view].recolour(colours);
     this.request();
   }
 
@@ -212,8 +167,8 @@ export class Viewer {
     const box = this.places[view].getBoundingClientRect();
     if (!shown || !this.geometry || box.width === 0) return null;
     this.aim(box);
-    const world = this.toWorld(shown, vertex);
-    const eye = this.toModel(shown, this.camera.camera.position.clone());
+    const world = shown.placeOf(vertex);
+    const eye = shown.toModel(this.camera.camera.position);
     const screen = world.project(this.camera.camera);
     const visible =
       Math.abs(screen.x) <= 1 &&
@@ -226,7 +181,7 @@ export class Viewer {
   lengthPerPixel(view: View, vertex: number): number {
     const shown = this.shown?.[view];
     const { height } = this.places[view].getBoundingClientRect();
-    return shown && height > 0 ? this.camera.lengthPerPixel(this.toWorld(shown, vertex), height) : 0;
+    return shown && height > 0 ? this.camera.lengthPerPixel(shown.placeOf(vertex), height) : 0;
   }
 
   /** The vertex meant by a point of the page. */
@@ -274,8 +229,7 @@ export class Viewer {
   }
 
   normalOf(view: View, vertex: number): [number, number, number] {
-    const surface = this.shown?.[view].surface;
-    return surface && this.geometry ? vertexNormal(this.geometry, surface.faceNormals, vertex) : [0, 0, 1];
+    return this.shown?.[view].normalOf(vertex) ?? [0, 0, 1];
   }
 
   /** Flies to where a vertex and the edges around it are seen, unless they are in full view already. */
@@ -284,22 +238,8 @@ export class Viewer {
     const box = this.places[view].getBoundingClientRect();
     if (!shown || !this.geometry || box.height === 0) return;
     this.aim(box);
-    const normal = new Vector3(...this.normalOf(view, vertex)).transformDirection(shown.scene.matrix);
-    const { points } = shown.surface;
-    const flight = flightTo(
-      { vertex, normal, points, matrix: shown.scene.matrix, height: box.height },
-      this.geometry,
-      this.camera,
-    );
+    const flight = flightTo(shown, vertex, box.height, this.camera);
     if (flight) this.camera.fly(flight);
-  }
-
-  private toWorld(shown: Shown, vertex: number): Vector3 {
-    return new Vector3().fromArray(shown.surface.points, 3 * vertex).applyMatrix4(shown.scene.matrix);
-  }
-
-  private toModel(shown: Shown, world: Vector3): Vector3 {
-    return world.applyMatrix4(shown.scene.matrix.clone().invert());
   }
 
   // --- drawing ------------------------------------------------------------------------------------------------------------
@@ -336,9 +276,7 @@ export class Viewer {
     const aspect = box.width / box.height;
     if (Math.abs(aspect - this.framedAspect) < 1e-3) return;
     this.framedAspect = aspect;
-    const points = Array.from({ length: this.geometry.positions.length / 3 }, (_, vertex) =>
-      this.toWorld(shown, vertex),
-    );
+    const points = Array.from({ length: this.geometry.positions.length / 3 }, (_, vertex) => shown.placeOf(vertex));
     const flat = points.every((point) => Math.abs(point.y) < 1e-9) || points.every((point) => Math.abs(point.z) < 1e-9);
     const upright = points.some((point) => Math.abs(point.y) > 1e-9);
     this.camera.frame(
@@ -373,13 +311,9 @@ export class Viewer {
       const bottom = stage.bottom - box.bottom;
       renderer.setViewport(left, bottom, box.width, box.height);
       for (const { shown: content, from, to } of this.contentsOf(view, box.width)) {
-        const { scene, surface, layers, markers } = content;
-        for (const layer of layers.values()) layer.fit(box.width, box.height, ratio, lengthPerPixel);
-        for (const { uniforms } of [surface.material, markers.material])
-          if (uniforms.pixelRatio) uniforms.pixelRatio.value = ratio;
-        markers.crowd(this.meanEdge < roomyEdge * lengthPerPixel);
+        content.fit(box.width, box.height, ratio, lengthPerPixel);
         renderer.setScissor(left + from, bottom, to - from, box.height);
-        renderer.render(scene, this.camera.camera);
+        renderer.render(content.scene, this.camera.camera);
       }
       this.placeLabels(view, box);
     }
@@ -393,15 +327,7 @@ export class Viewer {
     const shown = this.shown?.[view];
     if (!shown || !this.geometry || box.width === 0) return;
     this.aim(box);
-    this.labels[view].place(
-      this.camera.camera,
-      shown.surface.points,
-      this.geometry.triangles,
-      (vertex) => this.toWorld(shown, vertex),
-      (world) => this.toModel(shown, world),
-      box.width,
-      box.height,
-    );
+    this.labels[view].place(this.camera.camera, shown, box.width, box.height);
   }
 
   /** What is held on the graphics card, in numbers. */
@@ -411,7 +337,7 @@ export class Viewer {
   }
 
   /** What a view of that width shows, from which pixel to which. */
-  private contentsOf(view: View, width: number): { shown: Shown; from: number; to: number }[] {
+  private contentsOf(view: View, width: number): { shown: Content; from: number; to: number }[] {
     const { shown, swipe } = this;
     if (!shown) return [];
     if (view !== 'delta' || swipe === null) return [{ shown: shown[view], from: 0, to: width }];
@@ -423,10 +349,7 @@ export class Viewer {
   }
 
   private clear(): void {
-    for (const view of views) {
-      const shown = this.shown?.[view];
-      if (shown) this.retired.add(shown.surface, ...shown.layers.values(), shown.markers);
-    }
+    if (this.shown) this.retired.add(...Object.values(this.shown));
     if (this.triangles) this.retired.add(this.triangles);
     this.shown = null;
   }
