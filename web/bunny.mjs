@@ -48,8 +48,8 @@ export async function quadBunny({ module, get, open }) {
     ['pair-triangles', {}],
     ['quads', { rule: 'catmull-clark' }],
   ])
-    sessions.push(get(sessions.at(-1).convert(module.Side.a, id, settings)));
-  const text = new TextDecoder().decode(get(sessions.at(-1).file(module.Side.a, 'obj')));
+    sessions.push(get(module.convert(sessions.at(-1), module.Side.a, id, settings)));
+  const text = new TextDecoder().decode(get(module.file(sessions.at(-1), module.Side.a, 'obj')));
   for (const session of sessions) session.delete();
   return text.replace(/-?\d+\.\d+(e-?\d+)?/g, (number) => String(Number(Number(number).toFixed(4))));
 }

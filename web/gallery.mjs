@@ -56,7 +56,7 @@ function sessionOf({ kind, id, shape, changes = [] }) {
   let session = preset.file ? open(files.get(preset.file)) : make(preset.shape);
   for (const { conversion, id: name = conversion, parameters, side: _, moves: __, ...settings } of conversions) {
     const before = session;
-    session = get(before.convert(module.Side.a, name, parameters ?? settings));
+    session = get(module.convert(before, module.Side.a, name, parameters ?? settings));
     before.delete();
   }
   return { session, yUp: preset.file !== undefined };

@@ -2,12 +2,27 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { threeParts } from './three-parts.mjs';
 
+/** Has the browser fetch the core while it fetches the script that asks for it. */
+const earlyCore = () => ({
+  name: 'early-core',
+  apply: 'build',
+  transformIndexHtml: {
+    order: 'post',
+    handler: (_html, { bundle }) => {
+      const core = Object.keys(bundle).find((file) => /polylap-core-[^/]*\.wasm$/.test(file));
+      if (!core) throw new Error('polylap-core.wasm is not part of the build');
+      const attrs = { rel: 'preload', as: 'fetch', crossorigin: true, href: `./${core}` };
+      return [{ tag: 'link', attrs, injectTo: 'head' }];
+    },
+  },
+});
+
 export default defineConfig({
   root: fileURLToPath(new URL('.', import.meta.url)),
   base: './',
   // What web/gallery.mjs makes.
   publicDir: fileURLToPath(new URL('../build/public', import.meta.url)),
-  plugins: [threeParts()],
+  plugins: [threeParts(), earlyCore()],
   worker: { format: 'es' },
   // The module and its wasm live beside web/.
   server: { fs: { allow: ['..'] } },

@@ -15,7 +15,7 @@ export async function measureBunny() {
   const loaded = await loadModule();
   const { module, get, open } = loaded;
   const smooth = open(await quadBunny(loaded));
-  const noisy = get(smooth.convert(module.Side.a, 'noise', noise));
+  const noisy = get(module.convert(smooth, module.Side.a, 'noise', noise));
   const count = (session, id) => {
     get(session.setOperator(module.Side.a, id, {}, undefined));
     return get(session.weights(module.Side.a, undefined)).negativeOrdered;

@@ -1,6 +1,7 @@
 /** Two workers: what is done on one side does not wait for the other, nor suffer with it. */
 import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
+import { type OperatorSpec, operators } from '../../wasm/src/index.js';
 import { load } from '../../wasm/src/node.js';
 import type { FromWorker } from '../../wasm/src/protocol.js';
 import { aw, big, coordinates, endless, failure, planar, requests, torus, until, useClients } from './client-help.js';
@@ -181,11 +182,11 @@ it('gets the whole core for who asks for what only that can do, and keeps the su
   expect((await mesh.smooth(aw, { time: 0.01 })).step).toBe(2);
   expect(workers('a').length).toBe(1);
   online = true;
-  const before = await coordinates(mesh);
   const abort = new AbortController();
   const unwanted = failure(mesh.check(aw, { signal: abort.signal }));
   abort.abort();
   expect((await unwanted).code).toBe('cancelled');
+  const before = await coordinates(mesh);
   const [check] = await Promise.all([mesh.check(aw), mesh.check(aw)]);
   const session = (await load()).open(before, 'torus.obj');
   expect(check.measurements).toEqual(session.check(aw).measurements);
@@ -194,6 +195,27 @@ it('gets the whole core for who asks for what only that can do, and keeps the su
   expect(asked.filter(Boolean).length).toBe(2);
   expect([workers('a').length, workers('b').length]).toEqual([2, 1]);
   expect(restarts).toEqual([]);
+});
+
+it('asks the whole core again for what the smaller finds that it cannot do', async () => {
+  const loading: boolean[] = [];
+  const c = await start({ module: async (whole: boolean) => WebAssembly.compile(fileOf(whole)) });
+  c.onLoading = (more) => loading.push(more);
+  const mesh = await c.make(torus);
+  await mesh.smooth(aw, { time: 0.01, steps: 2 }, { side: 'b' });
+  expect(loading).toEqual([]);
+  const general = { id: operators.find(({ claims }) => claims.symmetric.where === 'no')?.id } as OperatorSpec;
+  const fixed = { vertices: [0, 5], values: [0, 1] };
+  const asked = await mesh.harmonic(general, fixed, { side: 'b' });
+  expect(loading).toEqual([true, false]);
+  expect([workers('a').length, workers('b').length]).toEqual([1, 2]);
+  const session = (await load()).make(torus);
+  session.smooth(aw, { time: 0.01, steps: 2 });
+  expect(asked.values).toEqual(session.harmonic(general, fixed).values);
+  // Of what both modules do, both do the same, and the surface has stayed.
+  const moved = await mesh.smooth(aw, { time: 0.01 }, { side: 'b' });
+  expect(moved.step).toBe(3);
+  expect(moved.coordinates).toEqual(session.smooth(aw, { time: 0.01 }).coordinates);
 });
 
 it('gives up the memory of a file, and hands over that of every answer', async () => {

@@ -83,7 +83,7 @@ it('says that it failed when the core traps, and restores nothing in it', async 
     throw new WebAssembly.RuntimeError('unreachable');
   };
   const { said, ask } = await start(
-    async () => new Polylap({ operators: () => ({ ok: [] }), make: trap, Side: {} } as never),
+    async () => new Polylap({ operatorIds: () => ({ ok: [] }), make: trap, Side: {} } as never),
   );
   void ask(open).catch(() => {});
   await vi.waitUntil(() => said.length > 1);

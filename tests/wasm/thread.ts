@@ -1,7 +1,7 @@
 /** Makes Node's worker threads look like a browser's workers, and lets tests watch and kill them. */
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { Worker as Thread } from 'node:worker_threads';
 import { build } from 'vite';
@@ -10,7 +10,7 @@ import type { FromWorker, ToWorker } from '../../wasm/src/protocol.js';
 
 const wasmBinary = readFileSync(new URL('../../build/wasm/polylap.wasm', import.meta.url));
 
-/** Node 20 runs no TypeScript: the worker is bundled into one file. */
+/** Node 20 runs no TypeScript: the worker is bundled. */
 export async function bundleWorker(): Promise<{ file: string; remove: () => void }> {
   const entry = fileURLToPath(new URL('./node-worker.ts', import.meta.url));
   const result = await build({
@@ -19,11 +19,18 @@ export async function bundleWorker(): Promise<{ file: string; remove: () => void
     build: { ssr: entry, write: false, minify: false, rollupOptions: { output: { format: 'es' } } },
   });
   const output = 'output' in result ? result.output : [];
-  const chunk = output.find((file) => file.type === 'chunk');
-  if (chunk?.type !== 'chunk') throw new Error('the worker was not bundled');
   const folder = mkdtempSync(join(tmpdir(), 'polylap-'));
-  const file = join(folder, 'worker.mjs');
-  writeFileSync(file, chunk.code);
+  let file = '';
+  for (const chunk of output) {
+    if (chunk.type !== 'chunk') continue;
+    const path = join(folder, chunk.fileName);
+    mkdirSync(dirname(path), { recursive: true });
+    writeFileSync(path, chunk.code);
+    if (chunk.isEntry) file = path;
+  }
+  if (!file) throw new Error('the worker was not bundled');
+  // What Node is to read as modules.
+  writeFileSync(join(folder, 'package.json'), '{ "type": "module" }');
   return { file, remove: () => rmSync(folder, { recursive: true }) };
 }
 

@@ -1,9 +1,10 @@
 /** The built page in a real browser: what the tests of this folder share. */
-import { createReadStream, existsSync, mkdirSync, statSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, statSync } from 'node:fs';
 import { createServer, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { extname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
 import { type Browser, type BrowserContextOptions, chromium, type Page } from 'playwright-core';
 import { afterAll, beforeAll } from 'vitest';
 import type { Side } from '../../wasm/src/types.js';
@@ -31,12 +32,27 @@ export const tasks = ['Weights', 'Smooth', 'Harmonic', 'Dual', 'Check'];
 export interface Site {
   url: string;
   browser: Browser;
+  /** What the server was asked for, in order, with the bytes of each file. */
+  sent: { file: string; raw: number; compressed: number }[];
   close: () => Promise<void>;
 }
 
-async function startSite(): Promise<Site> {
+/** How a site is served. */
+interface Serving {
+  /** With gzip, as hosts do. */
+  compressed?: boolean;
+}
+
+async function startSite({ compressed = false }: Serving): Promise<Site> {
   if (!existsSync(join(dist, 'index.html')))
     throw new Error(`There is no built page in ${dist}: npm run build makes it.`);
+  const sent: Site['sent'] = [];
+  const packed = new Map<string, Buffer>();
+  const pack = (file: string, bytes: Buffer) => {
+    const known = packed.get(file) ?? gzipSync(bytes, { level: 9 });
+    packed.set(file, known);
+    return known;
+  };
   const server: Server = createServer((request, response) => {
     const path = new URL(request.url ?? '/', 'http://localhost').pathname;
     const file = path.startsWith(base) ? join(dist, normalize(path.slice(base.length) || 'index.html')) : '';
@@ -44,8 +60,15 @@ async function startSite(): Promise<Site> {
       response.writeHead(404).end();
       return;
     }
-    response.writeHead(200, { 'content-type': types[extname(file)] ?? 'application/octet-stream' });
-    createReadStream(file).pipe(response);
+    const bytes = readFileSync(file);
+    const body = compressed ? pack(file, bytes) : bytes;
+    sent.push({ file: file.slice(dist.length + 1), raw: bytes.length, compressed: body.length });
+    response.writeHead(200, {
+      'content-type': types[extname(file)] ?? 'application/octet-stream',
+      'cache-control': 'max-age=600',
+      ...(compressed && { 'content-encoding': 'gzip' }),
+    });
+    response.end(body);
   });
   await new Promise<void>((done) => server.listen(0, 'localhost', done));
   const browser = await chromium.launch({
@@ -62,6 +85,7 @@ async function startSite(): Promise<Site> {
   return {
     url: `http://localhost:${(server.address() as AddressInfo).port}${base}`,
     browser,
+    sent,
     close: async () => {
       await browser.close();
       server.closeAllConnections();
@@ -111,10 +135,10 @@ export async function visit(site: Site, options: BrowserContextOptions = {}, lin
 }
 
 /** A site for the tests of a file: there before the first, closed after the last. */
-export function useSite(): Site {
+export function useSite(serving: Serving = {}): Site {
   const site = {} as Site;
   beforeAll(async () => {
-    Object.assign(site, await startSite());
+    Object.assign(site, await startSite(serving));
   });
   afterAll(() => site.close?.());
   return site;

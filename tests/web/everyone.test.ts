@@ -1,8 +1,5 @@
-import { readFileSync } from 'node:fs';
-import { join } from 'node:path';
-import { gzipSync } from 'node:zlib';
 import { describe, expect, it } from 'vitest';
-import { dist, picture, readout, settled, tasks, useSite, visit } from './browser.js';
+import { picture, readout, settled, tasks, useSite, visit } from './browser.js';
 
 const site = useSite();
 
@@ -184,15 +181,4 @@ describe('the picture', () => {
     await picture(page, 'forced-colours');
     await close();
   });
-});
-
-it('all that the first view loads is at most 700 kB, compressed', async () => {
-  const { requests, close } = await visit(site);
-  await close();
-  const files = [...requests].map((url) => url.slice(site.url.length) || 'index.html');
-  expect(files.map((name) => name.replace(/.*\./, '')).sort()).toEqual(['css', 'html', 'js', 'js', 'wasm']);
-  const sizes = files.map((name) => gzipSync(readFileSync(join(dist, name)), { level: 9 }).byteLength);
-  const total = sizes.reduce((sum, size) => sum + size, 0);
-  console.log(`${files.length} files, ${(total / 1000).toFixed(1)} kB gzip`);
-  expect(total).toBeLessThanOrEqual(700_000);
 });

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include <emscripten/bind.h>
+
 namespace polylap::js {
 namespace {
 
@@ -32,6 +34,11 @@ val told(const Measurement& measurement) {
 }
 
 }  // namespace
+
+Result<val> owned(Result<Session> session) {
+    if (!session) return session.error();
+    return val(std::make_shared<Session>(std::move(*session)));
+}
 
 val told(const Session::Shape& shape) {
     return object(entry("area", shape.measures.area), entry("volume", shape.volume ? val(*shape.volume) : val::null()),

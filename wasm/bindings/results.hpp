@@ -7,6 +7,8 @@
 
 namespace polylap::js {
 
+/// For JavaScript to own.
+Result<val> owned(Result<Session> session);
 val told(const Session::Shape& shape);
 /// null where there is none
 val told(const std::optional<SmoothingSolve>& solve);

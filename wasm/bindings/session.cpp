@@ -4,9 +4,7 @@
 
 #include <emscripten/bind.h>
 
-#include "polylap/apply/conversions.hpp"
 #include "polylap/apply/noise.hpp"
-#include "polylap/mesh/mesh_io.hpp"
 #include "polylap/mesh/shapes.hpp"
 #include "results.hpp"
 
@@ -16,20 +14,6 @@ namespace {
 using Side = Session::Side;
 
 // ---- Making a session ----
-
-Result<val> owned(Result<Session> session) {
-    if (!session) return session.error();
-    return val(std::make_shared<Session>(std::move(*session)));
-}
-
-val open(const val& bytes, const std::string& name, bool repair, double merge_distance, val callback) {
-    return guarded([&] {
-        const auto data = emscripten::convertJSArrayToNumberVector<std::uint8_t>(bytes);
-        Tick tick(std::move(callback));
-        const Session::OpenOptions options{.repair = repair, .repair_options = {.merge_distance = merge_distance}};
-        return owned(Session::open(std::as_bytes(std::span(data)), name, options, tick.monitor()));
-    });
-}
 
 val from_arrays(const val& coordinates, const val& offsets, const val& corners, val callback) {
     return guarded([&]() -> Result<val> {
@@ -59,14 +43,6 @@ val make(const std::string& id, const val& settings, double noise, std::uint32_t
             std::erase_if(given, [](const auto& setting) { return is_seed(setting.first); });
         auto mesh = make_shape(id, given);
         if (mesh && noise != 0) mesh = add_normal_noise(*mesh, noise, seed);
-        if (!mesh) return mesh.error();
-        return owned(Session::from_mesh(*std::move(mesh)));
-    });
-}
-
-val convert_surface(const Session& session, Side side, const std::string& id, const val& settings) {
-    return guarded([&]() -> Result<val> {
-        auto mesh = convert(session.surface(side), id, settings_of(settings));
         if (!mesh) return mesh.error();
         return owned(Session::from_mesh(*std::move(mesh)));
     });
@@ -133,17 +109,6 @@ val surface(const Session& session, Side side) {
 
 val shape(const Session& session, Side side) {
     return guarded([&]() -> Result<val> { return told(session.shape(side)); });
-}
-
-/// As bytes: not all formats are text.
-val file(const Session& session, Side side, const std::string& ending) {
-    return guarded([&]() -> Result<val> {
-        const auto format = format_of("mesh." + ending);
-        if (!format) return format.error();
-        const auto contents = write_mesh(session.surface(side), *format);
-        if (!contents) return contents.error();
-        return array(reinterpret_cast<const std::uint8_t*>(contents->data()), contents->size());
-    });
 }
 
 // ---- Working on a session ----
@@ -235,15 +200,6 @@ val matrices(Session& session, Side side, val callback) {
     });
 }
 
-val dual(Session& session, Side side, double mu, val callback) {
-    return guarded([&]() -> Result<val> {
-        Tick tick(std::move(callback));
-        const auto dual = session.dual(side, {.mu = mu}, tick.monitor());
-        if (!dual) return dual.error();
-        return told(*dual, session.origin());
-    });
-}
-
 val reset(Session& session, Side side) {
     return guarded([&]() -> Result<val> {
         session.reset(side);
@@ -256,6 +212,14 @@ val restore(Session& session, Side side, const val& coordinates, int steps) {
         auto points = points_of(coordinates);
         if (!points) return points.error();
         return nothing(session.restore(side, *std::move(points), steps));
+    });
+}
+
+// ---- The operator table ----
+
+val operator_ids() {
+    return guarded([]() -> Result<val> {
+        return list(operators(), [](const OperatorInfo* info) { return std::string(info->id); });
     });
 }
 
@@ -277,8 +241,6 @@ EMSCRIPTEN_BINDINGS(polylap_session) {
         .function("coordinates", &coordinates)
         .function("surface", &surface)
         .function("shape", &shape)
-        .function("file", &file)
-        .function("convert", &convert_surface)
         .function("setOperator", &set_operator)
         .function("weights", &weights)
         .function("row", &row)
@@ -287,11 +249,10 @@ EMSCRIPTEN_BINDINGS(polylap_session) {
         .function("stability", &stability)
         .function("harmonic", &harmonic)
         .function("matrices", &matrices)
-        .function("dual", &dual)
         .function("reset", &reset)
         .function("restore", &restore);
 
-    function("open", &open);
+    function("operatorIds", &operator_ids);
     function("fromArrays", &from_arrays);
     function("make", &make);
 }

@@ -1,4 +1,4 @@
-// What takes eigensolvers: a quarter of the module, and only asked for by those who look closer.
+// What is only asked for by those who look closer, and takes factors and eigensolvers of its own.
 #include <emscripten/bind.h>
 
 #include "results.hpp"
@@ -14,6 +14,15 @@ val check(Session& session, Side side, val callback) {
         const auto report = session.check(side, tick.monitor());
         if (!report) return report.error();
         return told(**report);
+    });
+}
+
+val dual(Session& session, Side side, double mu, val callback) {
+    return guarded([&]() -> Result<val> {
+        Tick tick(std::move(callback));
+        const auto dual = session.dual(side, {.mu = mu}, tick.monitor());
+        if (!dual) return dual.error();
+        return told(*dual, session.origin());
     });
 }
 
@@ -36,5 +45,6 @@ EMSCRIPTEN_BINDINGS(polylap_studies) {
     using namespace polylap::js;
 
     function("check", &check);
+    function("dual", &dual);
     function("convergence", &convergence);
 }

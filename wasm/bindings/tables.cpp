@@ -74,7 +74,7 @@ val conversion_table() {
 val error_codes() {
     return guarded([]() -> Result<val> {
         val names = val::array();
-        for (int code = 0; code <= static_cast<int>(ErrorCode::out_of_memory); ++code) {
+        for (int code = 0; code <= static_cast<int>(ErrorCode::not_included); ++code) {
             names.call<void>("push", std::string(error_code_name(static_cast<ErrorCode>(code))));
         }
         return names;

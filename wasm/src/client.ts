@@ -91,6 +91,7 @@ class MeshState {
 
 class WorkerClient implements Client {
   onRestart?: (reason: string, side: Side) => unknown;
+  onLoading?: (loading: boolean) => unknown;
   readonly #queues: Readonly<Record<Side, WorkerQueue>>;
   readonly #modules = new Map<boolean, Promise<WebAssembly.Module>>();
   #nextMesh = 0;
@@ -112,6 +113,7 @@ class WorkerClient implements Client {
         // Of one module, machine code is optimised for all its instances.
         warmUp: side === 'a' || !compile,
         onRestart: (reason) => this.onRestart?.(reason, side),
+        onLoading: (loading) => this.onLoading?.(loading),
       });
     this.#queues = { a: queue('a'), b: queue('b') };
   }
@@ -157,7 +159,12 @@ class WorkerClient implements Client {
     const state = new MeshState(this.#nextMesh++);
     const side = this.#freeSide();
     const takes = { mesh: state.id, source };
-    const opened = await this.#queues[side].call('open', takes, { run, transfer, ...this.#keeping(state, side) });
+    const opened = await this.#queues[side].call('open', takes, {
+      run,
+      transfer,
+      needsWhole: 'bytes' in source,
+      ...this.#keeping(state, side),
+    });
     return this.#mesh(state, name, opened);
   }
 
@@ -231,14 +238,14 @@ class WorkerClient implements Client {
       harmonic: async (spec, fixed, run = {}) => ask('harmonic', { spec: ownOperator(spec), fixed }, runOf(run)),
       matrices: async (spec, run = {}) => ask('matrices', { spec: ownOperator(spec) }, runOf(run)),
       check: async (spec, run = {}) => ask('check', { spec: ownOperator(spec) }, runOf(run), { needsWhole: true }),
-      dual: async (options = {}, run = {}) => ask('dual', { options }, runOf(run)),
-      file: async (format, run = {}) => ask('file', { format }, runOf(run)),
+      dual: async (options = {}, run = {}) => ask('dual', { options }, runOf(run), { needsWhole: true }),
+      file: async (format, run = {}) => ask('file', { format }, runOf(run), { needsWhole: true }),
       convert: async (conversion, given = {}) => {
         const { id, settings } = conversionParts(conversion);
         const run = runOf(given);
         const own = { conversion: id, ...settings } as ConversionSpec;
         const made = new MeshState(this.#nextMesh++);
-        const hooks = this.#keeping(made, run.side ?? 'a');
+        const hooks = { ...this.#keeping(made, run.side ?? 'a'), needsWhole: true };
         const opened = await ask('convert', { conversion: own, made: made.id }, run, hooks);
         return this.#mesh(made, `${id} of ${name}`, opened);
       },

@@ -15,7 +15,8 @@ export type ErrorCode =
   | 'unconstrained-component'
   | 'not-converged'
   | 'cancelled'
-  | 'out-of-memory';
+  | 'out-of-memory'
+  | 'not-included';
 
 export type PropertyId =
   | 'symmetric'

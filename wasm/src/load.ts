@@ -1,12 +1,11 @@
 /** Starts the module, in a browser, a worker or Node. */
-import createWhole from '../../build/wasm/polylap.js';
 import createCore from '../../build/wasm/polylap-core.js';
 import { notStarted } from './compile.js';
 import type { CreateModule, RawModule } from './raw.js';
 import { Polylap } from './session.js';
 
 export interface LoadOptions {
-  /** Everything (default), or only what needs no eigensolvers: polylap-core.wasm, a quarter smaller. */
+  /** Everything (default), or only what most need: polylap-core.wasm, half the size; the rest answers `not-included`. */
   whole?: boolean;
   /** The file, compiled already: instances share its machine code, and what the engine has optimised of it. */
   module?: WebAssembly.Module | undefined;
@@ -18,8 +17,9 @@ export interface LoadOptions {
 
 /** @throws PolylapError with code `internal` when WebAssembly or its file cannot be had */
 export async function load({ whole = true, module, wasmBinary, wasmUrl }: LoadOptions = {}): Promise<Polylap> {
-  const createModule = whole ? createWhole : createCore;
   try {
+    // What few ask for is not loaded by all.
+    const createModule = whole ? (await import('../../build/wasm/polylap.js')).default : createCore;
     return new Polylap(
       module
         ? await instantiate(createModule, module)

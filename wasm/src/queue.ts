@@ -33,7 +33,7 @@ export interface Hooks<K extends CallName> {
   subject?: Subject;
   /** The request is void where the subject is not in the worker. */
   onlyIfThere?: boolean;
-  /** The request is for what only the whole core can do. */
+  /** Only the whole core can do it. What else turns out to need it is asked again there. */
   needsWhole?: boolean;
   /** Somebody looks at where the answer will be: it goes before what has not been sent yet. */
   urgent?: boolean;
@@ -56,6 +56,8 @@ export interface QueueOptions {
   /** Whether the worker is to warm the solver up. */
   warmUp: boolean;
   onRestart: (reason: string) => void;
+  /** The whole core is being fetched, or no longer. */
+  onLoading: (loading: boolean) => void;
 }
 
 /** A request on its way through the queue. */
@@ -286,6 +288,11 @@ export class WorkerQueue {
       }
       if (job !== this.#current) return;
     }
+    if (reply.kind === 'error' && reply.error.code === 'not-included' && !this.#whole && !job.stopped) {
+      job.sent = false;
+      void this.#getWhole(job);
+      return;
+    }
     this.#current = undefined;
     clearTimeout(this.#grace);
     if (job.stopped) {
@@ -336,6 +343,7 @@ export class WorkerQueue {
 
   /** The worker goes on until there is something to start another one with. */
   async #getWhole(job: Job): Promise<void> {
+    this.#options.onLoading(true);
     try {
       await this.#options.module(true);
     } catch (error) {
@@ -344,6 +352,8 @@ export class WorkerQueue {
       job.reject(new PolylapError('worker-failed', `a part of the core could not be loaded: ${messageOf(error)}`));
       this.#sendNext();
       return;
+    } finally {
+      this.#options.onLoading(false);
     }
     if (job !== this.#current) return;
     this.#current = undefined;

@@ -45,8 +45,6 @@ export interface RawSession {
   coordinates(): Reply<Float64Array>;
   surface(side: RawSide): Reply<Smoothed>;
   shape(side: RawSide): Reply<Shape>;
-  file(side: RawSide, format: string): Reply<Uint8Array>;
-  convert(side: RawSide, id: string, settings: Settings): Reply<RawSession>;
   setOperator(side: RawSide, id: string, settings: Settings, vertexWeights: Float64Array | undefined): Reply<void>;
   weights(side: RawSide, tick: Tick | undefined): Reply<Weights>;
   row(side: RawSide, vertex: number, tick: Tick | undefined): Reply<Row>;
@@ -55,7 +53,6 @@ export interface RawSession {
   stability(side: RawSide, options: Required<SmoothOptions>, tick: Tick | undefined): Reply<Stability>;
   harmonic(side: RawSide, vertices: Int32Array, values: Float64Array, tick: Tick | undefined): Reply<Harmonic>;
   matrices(side: RawSide, tick: Tick | undefined): Reply<Matrices>;
-  dual(side: RawSide, mu: number, tick: Tick | undefined): Reply<Dual>;
   reset(side: RawSide): Reply<void>;
   restore(side: RawSide, coordinates: Float64Array, steps: number): Reply<void>;
   /** Frees the C++ object; the only way to do so. */
@@ -66,13 +63,6 @@ export interface RawModule {
   Side: { a: RawSide; b: RawSide };
   /** Another array after the memory has grown. */
   HEAPU8: Uint8Array;
-  open(
-    bytes: Uint8Array,
-    name: string,
-    repair: boolean,
-    mergeDistance: number,
-    tick: Tick | undefined,
-  ): Reply<RawSession>;
   fromArrays(
     coordinates: Float64Array,
     offsets: Int32Array,
@@ -80,7 +70,19 @@ export interface RawModule {
     tick: Tick | undefined,
   ): Reply<RawSession>;
   make(id: string, settings: Settings, noise: number, seed: number): Reply<RawSession>;
-  /** These two the smaller module has not. */
+  operatorIds(): Reply<string[]>;
+
+  // What follows the smaller module has not.
+  open?(
+    bytes: Uint8Array,
+    name: string,
+    repair: boolean,
+    mergeDistance: number,
+    tick: Tick | undefined,
+  ): Reply<RawSession>;
+  file?(session: RawSession, side: RawSide, format: string): Reply<Uint8Array>;
+  convert?(session: RawSession, side: RawSide, id: string, settings: Settings): Reply<RawSession>;
+  dual?(session: RawSession, side: RawSide, mu: number, tick: Tick | undefined): Reply<Dual>;
   check?(session: RawSession, side: RawSide, tick: Tick | undefined): Reply<Check>;
   convergence?(
     id: string,
@@ -88,11 +90,11 @@ export interface RawModule {
     vertexWeights: Float64Array | undefined,
     tick: Tick | undefined,
   ): Reply<ConvergenceStudy[]>;
-  operators(): Reply<Omit<OperatorInfo, 'formulaMathml'>[]>;
-  properties(): Reply<PropertyInfo[]>;
-  shapes(): Reply<MakerInfo[]>;
-  conversions(): Reply<MakerInfo[]>;
-  errorCodes(): Reply<string[]>;
+  operators?(): Reply<Omit<OperatorInfo, 'formulaMathml'>[]>;
+  properties?(): Reply<PropertyInfo[]>;
+  shapes?(): Reply<MakerInfo[]>;
+  conversions?(): Reply<MakerInfo[]>;
+  errorCodes?(): Reply<string[]>;
 }
 
 export type CreateModule = (options?: {

@@ -47,7 +47,7 @@ class Server {
   constructor(port: Port, polylap: Polylap, warmUp: boolean) {
     this.#port = port;
     this.#polylap = polylap;
-    this.#cold = (warmUp ? polylap.operators() : []).map(({ id }) => ({ id }) as OperatorSpec);
+    this.#cold = (warmUp ? polylap.operatorIds() : []).map((id) => ({ id }) as OperatorSpec);
   }
 
   start(): void {
@@ -205,7 +205,6 @@ class Server {
     if (this.#cold.length === 0) return;
     const warmUp = () =>
       this.#warmUp().catch((error) => {
-        // Anything less than a trap will be told to whoever asks for the same.
         if (error instanceof CoreStopped) fail(this.#port, error);
       });
     this.#idle = setTimeout(warmUp, idleBeforeWarmUp);
@@ -216,8 +215,13 @@ class Server {
     const asked = this.#asked;
     for (let spec = this.#cold.shift(); spec; spec = this.#cold.shift()) {
       const session = this.#polylap.make({ shape: 'grid', nx: 30, ny: 30 });
-      session.smooth(spec, { time: session.info().meanSquaredEdge });
-      session.harmonic(spec, { vertices: [0, 30], values: [0, 1] });
+      try {
+        session.smooth(spec, { time: session.info().meanSquaredEdge });
+        session.harmonic(spec, { vertices: [0, 30], values: [0, 1] });
+      } catch (error) {
+        // Anything less than a trap will be told to whoever asks for the same.
+        if (error instanceof CoreStopped) throw error;
+      }
       session.close();
       await turn();
       if (this.#asked !== asked) return;

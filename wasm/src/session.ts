@@ -98,7 +98,7 @@ function opaque(error: unknown): PolylapError {
 
 /** What only the whole module has. */
 function whole<F>(has: F | undefined): F {
-  if (!has) throw new PolylapError('internal', 'this is the smaller module: it checks no properties');
+  if (!has) throw new PolylapError('not-included', 'this is the smaller module, which does without what it takes');
   return has;
 }
 
@@ -118,7 +118,8 @@ export class Polylap {
   ): Session {
     const [bytes, file, given] = [bytesOf(contents), text(name, 'the name of a mesh'), optionsOf(options)];
     const { repair, mergeDistance } = openOptions(given);
-    return this.#own((tick) => this.#module.open(bytes, file, repair, mergeDistance, tick), given.onProgress);
+    const read = whole(this.#module.open);
+    return this.#own((tick) => read(bytes, file, repair, mergeDistance, tick), given.onProgress);
   }
 
   /** A mesh from arrays; they are copied. */
@@ -146,13 +147,17 @@ export class Polylap {
     return call((tick) => study(id, settings, vertexWeights, tick), onProgress);
   }
 
+  operatorIds(): string[] {
+    return call(() => this.#module.operatorIds());
+  }
+
   /** The operator table as the core has it; `operators` in generated.ts is the same with MathML. */
   operators(): Omit<OperatorInfo, 'formulaMathml'>[] {
-    return call(() => this.#module.operators());
+    return call(() => whole(this.#module.operators)());
   }
 
   errorCodes(): string[] {
-    return call(() => this.#module.errorCodes());
+    return call(() => whole(this.#module.errorCodes)());
   }
 
   /** Bytes of WebAssembly memory. It grows when needed and never shrinks. */
@@ -206,15 +211,17 @@ export class Session {
   /** The side's surface as a file; text but for STL. */
   file(format: MeshFormat, options: SyncOptions = {}): Uint8Array {
     const [ending, side] = [oneOf(format, formats, 'the format'), this.#side(optionsOf(options).side)];
-    return this.#call((raw) => raw.file(side, ending));
+    const write = whole(this.#module.file);
+    return this.#call((raw) => write(raw, side, ending));
   }
 
   /** A new session with a mesh made of the side's surface. */
   convert(conversion: ConversionSpec, options: SyncOptions = {}): Session {
     const { id, settings } = conversionParts(conversion);
     const side = this.#side(optionsOf(options).side);
+    const make = whole(this.#module.convert);
     return new Session(
-      this.#call((raw) => raw.convert(side, id, settings)),
+      this.#call((raw) => make(raw, side, id, settings)),
       this.#module,
     );
   }
@@ -270,7 +277,8 @@ export class Session {
     const mu = realNumber(fields(how, 'the options of the dual').mu ?? 0, 'mu');
     const { side, onProgress } = optionsOf(options);
     const on = this.#side(side);
-    return this.#call((raw, tick) => raw.dual(on, mu, tick), onProgress);
+    const dual = whole(this.#module.dual);
+    return this.#call((raw, tick) => dual(raw, on, mu, tick), onProgress);
   }
 
   /** Back to the loaded mesh; both sides if none is named. */

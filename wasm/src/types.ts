@@ -440,5 +440,7 @@ export interface Client {
   convergence(spec: OperatorSpec, run?: Omit<RunOptions, 'side'>): Promise<ConvergenceStudy[]>;
   /** Called when a side's worker died or was ended to cancel, and has been started again; all meshes are as they were. */
   onRestart?: (reason: string, side: Side) => unknown;
+  /** Called when more of the core is fetched for what was asked, and when that has ended. */
+  onLoading?: (loading: boolean) => unknown;
   close(): void;
 }

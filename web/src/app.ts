@@ -34,6 +34,9 @@ export class App {
         ready.onRestart = (reason) =>
           reason === 'cancelled' ||
           this.say(`The worker was started again: ${reason.replace(/\.$/, '')}. The mesh is as it was.`);
+        ready.onLoading = (loading) => {
+          this.work.loading = loading;
+        };
       },
       // Told by the first mesh that cannot be made.
       () => {},

@@ -25,6 +25,7 @@ export class Work {
   private readonly jobs = new Set<Job>();
   private timer: ReturnType<typeof setTimeout> | undefined;
   private announced = false;
+  private waits = false;
 
   constructor(private readonly announce: (busy: Busy | null) => void) {}
 
@@ -57,6 +58,12 @@ export class Work {
     }
   }
 
+  /** Whether what is under way waits for more of the core to come. */
+  set loading(loading: boolean) {
+    this.waits = loading;
+    if (this.announced) this.tell();
+  }
+
   get idle(): boolean {
     return this.jobs.size === 0;
   }
@@ -87,7 +94,11 @@ export class Work {
   private tell(): void {
     const first = this.jobs.values().next().value;
     if (first) {
-      this.announce({ label: first.label, fraction: first.fraction });
+      this.announce(
+        this.waits
+          ? { label: 'Loading what this takes', fraction: null }
+          : { label: first.label, fraction: first.fraction },
+      );
       return;
     }
     clearTimeout(this.timer);

@@ -32,6 +32,8 @@ std::string_view error_code_name(ErrorCode code) noexcept {
             return "cancelled";
         case ErrorCode::out_of_memory:
             return "out-of-memory";
+        case ErrorCode::not_included:
+            return "not-included";
     }
     return "unknown";
 }

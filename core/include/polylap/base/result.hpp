@@ -26,6 +26,7 @@ enum class ErrorCode : std::uint16_t {
     not_converged,
     cancelled,
     out_of_memory,
+    not_included,
 };
 
 /// The name of a code in kebab case, e.g. "degenerate-face": what JavaScript and the command line show.

@@ -1,0 +1,39 @@
+// Stands in for what polylap-core.wasm does without, which a page loads when it is first asked for: the library's own
+// files of these functions stay out of a program that has this one. Each answers not_included, an error that no other
+// program meets.
+#include "polylap/operators/dual_vertices.hpp"
+#include "solve/lu_factor.hpp"
+
+namespace polylap {
+namespace {
+
+Error absent() {
+    return {ErrorCode::not_included, "this build does without what it takes"};
+}
+
+}  // namespace
+
+struct LuFactor::Impl {};
+
+LuFactor::LuFactor() = default;
+LuFactor::LuFactor(LuFactor&&) noexcept = default;
+LuFactor& LuFactor::operator=(LuFactor&&) noexcept = default;
+LuFactor::~LuFactor() = default;
+
+Status LuFactor::factor(const SparseMatrix& /*a*/) {
+    return absent();
+}
+
+Matrix LuFactor::solve(const Eigen::Ref<const Matrix>& rhs) const {
+    return rhs;  // Nothing has been factored that it could be asked with.
+}
+
+std::int64_t LuFactor::bytes() const noexcept {
+    return 0;
+}
+
+Result<OrthogonalDual> orthogonal_dual(const PolygonMesh& /*mesh*/, DualOptions /*options*/, Monitor /*monitor*/) {
+    return absent();
+}
+
+}  // namespace polylap
