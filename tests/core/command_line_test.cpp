@@ -221,6 +221,41 @@ TEST_F(CommandLine, SmoothTakesTheSessionsSteps) {
     }
 }
 
+TEST_F(CommandLine, SmoothTakesTheSessionsFlows) {
+    const std::string bytes = slurp(torus);
+    const auto side = Session::Side::a;
+    for (const Flow flow : {Flow::implicit_step, Flow::conformalised, Flow::explicit_step}) {
+        auto session = Session::open(std::as_bytes(std::span(bytes)), "torus.obj");
+        ASSERT_TRUE(session.ok());
+        ASSERT_TRUE(session->set_operator(side, spec("planar", {})).ok());
+        const double h2 = session->shape(side).measures.mean_squared_edge;
+        const Session::SmoothOptions options{.time = 0.05 * h2, .steps = 2, .flow = flow, .keep_volume = true};
+        const auto bound = session->stability(side, options);
+        ASSERT_TRUE(bound.ok());
+        ASSERT_TRUE(session->smooth(side, options).ok());
+        const std::string said = succeed("smooth '" + torus + "' --operator planar --time-h2 0.05 --steps 2 --flow " +
+                                         flow_name(flow) + " --keep-volume -o out.obj");
+        EXPECT_EQ(load(path("out.obj")).positions(), session->surface(side).positions());
+        if (flow != Flow::explicit_step) {
+            EXPECT_EQ(said, "last step solved by cholesky\n");
+            continue;
+        }
+        std::ostringstream expected;
+        expected.precision(17);
+        expected << "explicit steps stable for t < " << bound->limit() << " (" << bound->limit() / h2
+                 << " h²); the first multiplies the roughest mode by " << bound->growth(options.time)
+                 << "\nlast step solved by diagonal\n";
+        EXPECT_EQ(said, expected.str());
+    }
+    const std::string open = "smooth '" + grid + "' --operator planar --time-h2 0.1 -o out.obj ";
+    EXPECT_NE(fail(1, open + "--keep-volume").find("there is no volume to keep: the surface is open"),
+              std::string::npos);
+    succeed(open + "--fix-boundary --flow explicit");
+    const PolygonMesh held = load(path("out.obj"));
+    for (const Index v : {0, 1, 2, 3, 5, 6, 7, 8})
+        EXPECT_EQ(held.position(v), load(grid).position(v));
+}
+
 TEST_F(CommandLine, KeepingTheOperatorDiffersFromRebuildingIt) {
     const std::string step = "smooth '" + torus + "' --operator planar --time 0.1 -o - --steps ";
     EXPECT_EQ(succeed(step + "1"), succeed(step + "1 --keep-operator"));
@@ -262,39 +297,41 @@ TEST_F(CommandLine, HarmonicGivesNanAtVerticesInNoFace) {
 
 TEST_F(CommandLine, UsageErrorsEndWithTwo) {
     const std::string mesh = "'" + grid + "' ";
-    for (const std::string& arguments :
-         std::vector<std::string>{"",
-                                  "bogus",
-                                  "info",
-                                  "info " + mesh + "extra",
-                                  "info --nope " + mesh,
-                                  "operators extra",
-                                  "matrix " + mesh,
-                                  "matrix " + mesh + "--operator planar",
-                                  "matrix " + mesh + "-o S.mtx",
-                                  "matrix " + mesh + "--operator planar -o S.mtx --set lambda",
-                                  "matrix " + mesh + "--operator planar -o S.mtx --set =1",
-                                  "matrix " + mesh + "--operator planar -o S.mtx --mass-out S.mtx",
-                                  "matrix " + mesh + "--operator planar -o S.mtx --mass-out ''",
-                                  "smooth " + mesh + "--operator planar -o o.obj",
-                                  "smooth " + mesh + "--operator planar -o o.obj --time 1 --time-h2 1",
-                                  "smooth " + mesh + "--operator planar -o o.obj --time abc",
-                                  "smooth " + mesh + "--operator planar -o o.obj --time -1",
-                                  "smooth " + mesh + "--operator planar -o o.obj --time 0",
-                                  "smooth " + mesh + "--operator planar -o o.obj --time nan",
-                                  "smooth " + mesh + "--operator planar -o o.obj --time inf",
-                                  "smooth " + mesh + "--operator planar -o o.obj --time 0x10",
-                                  "smooth " + mesh + "--operator planar -o o.obj --time ' 1'",
-                                  "smooth " + mesh + "--operator planar -o o.obj --time '1 '",
-                                  "smooth " + mesh + "--operator planar -o o.obj --time ''",
-                                  "smooth " + mesh + "--operator planar -o o.obj --time-h2 0x1p3",
-                                  "smooth " + mesh + "--operator planar -o o.obj --time-h2 -2",
-                                  "smooth " + mesh + "--operator planar -o o.obj --time 1 --steps 0",
-                                  "smooth " + mesh + "--operator planar -o o.obj --time 1 --steps 1.5",
-                                  "smooth " + mesh + "--operator planar -o o.obj --time 1 --steps 0x2",
-                                  "smooth " + mesh + "--operator planar -o o.obj --time 1 --steps 1000001",
-                                  "harmonic " + mesh + "--operator planar -o o.csv",
-                                  "harmonic " + mesh + "--operator planar --fix f.csv"})
+    for (const std::string& arguments : std::vector<std::string>{
+             "",
+             "bogus",
+             "info",
+             "info " + mesh + "extra",
+             "info --nope " + mesh,
+             "operators extra",
+             "matrix " + mesh,
+             "matrix " + mesh + "--operator planar",
+             "matrix " + mesh + "-o S.mtx",
+             "matrix " + mesh + "--operator planar -o S.mtx --set lambda",
+             "matrix " + mesh + "--operator planar -o S.mtx --set =1",
+             "matrix " + mesh + "--operator planar -o S.mtx --mass-out S.mtx",
+             "matrix " + mesh + "--operator planar -o S.mtx --mass-out ''",
+             "smooth " + mesh + "--operator planar -o o.obj",
+             "smooth " + mesh + "--operator planar -o o.obj --time 1 --time-h2 1",
+             "smooth " + mesh + "--operator planar -o o.obj --time abc",
+             "smooth " + mesh + "--operator planar -o o.obj --time 1 --flow upwards",
+             "smooth " + mesh + "--operator planar -o o.obj --time 1 --flow conformalised --keep-operator",
+             "smooth " + mesh + "--operator planar -o o.obj --time -1",
+             "smooth " + mesh + "--operator planar -o o.obj --time 0",
+             "smooth " + mesh + "--operator planar -o o.obj --time nan",
+             "smooth " + mesh + "--operator planar -o o.obj --time inf",
+             "smooth " + mesh + "--operator planar -o o.obj --time 0x10",
+             "smooth " + mesh + "--operator planar -o o.obj --time ' 1'",
+             "smooth " + mesh + "--operator planar -o o.obj --time '1 '",
+             "smooth " + mesh + "--operator planar -o o.obj --time ''",
+             "smooth " + mesh + "--operator planar -o o.obj --time-h2 0x1p3",
+             "smooth " + mesh + "--operator planar -o o.obj --time-h2 -2",
+             "smooth " + mesh + "--operator planar -o o.obj --time 1 --steps 0",
+             "smooth " + mesh + "--operator planar -o o.obj --time 1 --steps 1.5",
+             "smooth " + mesh + "--operator planar -o o.obj --time 1 --steps 0x2",
+             "smooth " + mesh + "--operator planar -o o.obj --time 1 --steps 1000001",
+             "harmonic " + mesh + "--operator planar -o o.csv",
+             "harmonic " + mesh + "--operator planar --fix f.csv"})
         EXPECT_NE(fail(2, arguments), "");
     EXPECT_EQ(files(), std::vector<std::string>{});
 }

@@ -12,13 +12,14 @@ const names = {
   matrices: 'matrix',
   row: 'row of the vertex',
   face: 'face',
+  stability: 'largest eigenvalue',
   check: 'properties',
   dual: 'orthogonal dual',
   shape: 'area and volume',
   study: 'convergence',
 };
 type Kind = Exclude<keyof typeof names, 'shape' | 'study'>;
-const kinds: readonly Kind[] = ['weights', 'harmonic', 'matrices', 'row', 'face', 'check', 'dual'];
+const kinds: readonly Kind[] = ['weights', 'harmonic', 'matrices', 'row', 'face', 'stability', 'check', 'dual'];
 
 const labelOf = (side: Side, what: keyof typeof names) => `${side.toUpperCase()}: ${names[what]}`;
 
@@ -69,6 +70,7 @@ export class Answers {
     this.harmonic(side);
     if (task === 'check') ask.check(mesh);
     if (task === 'dual') ask.dual(mesh);
+    this.stability(side);
     if (task !== 'weights') return;
     if (mesh.vertices <= plotLimit) ask.matrices(mesh);
     this.row(side);
@@ -93,6 +95,14 @@ export class Answers {
     const { mesh } = this.app.results.get();
     const { task, selected } = this.app.state.get();
     if (mesh && task === 'weights' && selected !== null) this.refreshers[side].row(mesh);
+  }
+
+  /** What bounds an explicit step from where the side stands. On large meshes, not after each step of a play. */
+  stability(side: Side): void {
+    const { mesh, playing } = this.app.results.get();
+    const { task, smooth } = this.app.state.get();
+    if (!mesh || task !== 'smooth' || smooth.flow[side] !== 'explicit') return;
+    if (!playing || mesh.vertices <= plotLimit) this.refreshers[side].stability(mesh);
   }
 
   /** What the selected face is to the side's operator. */
@@ -164,8 +174,13 @@ export class Answers {
 
   private question(side: Side, kind: Kind): Question {
     const { state, results } = this.app;
-    const { sides: choices, vertexWeights, harmonic, dual, selected, selectedFace } = state.get();
-    const more: Partial<Record<Kind, unknown>> = { harmonic: harmonic.pins, row: selected, face: selectedFace };
+    const { sides: choices, vertexWeights, harmonic, dual, selected, selectedFace, smooth } = state.get();
+    const more: Partial<Record<Kind, unknown>> = {
+      harmonic: harmonic.pins,
+      row: selected,
+      face: selectedFace,
+      stability: [smooth.rebuild, smooth.fixBoundary],
+    };
     const about = kind === 'dual' ? dual.mu : [choices[side], vertexWeights[side], more[kind]];
     return { surface: results.get()[side].positions, about: JSON.stringify(about) };
   }
@@ -179,13 +194,17 @@ export class Answers {
   private async ask(kind: Kind, mesh: Mesh, side: Side, work: Run): Promise<Partial<SideResults> | null> {
     const { state } = this.app;
     const run = { side, ...work };
-    const { sides: choices, vertexWeights, harmonic, selected, selectedFace } = state.get();
+    const { sides: choices, vertexWeights, harmonic, selected, selectedFace, smooth } = state.get();
     const spec = specOf(choices[side], vertexWeights[side], mesh.vertices);
     switch (kind) {
       case 'weights':
         return { weights: await mesh.weights(spec, run) };
       case 'matrices':
         return { matrices: await mesh.matrices(spec, run) };
+      case 'stability': {
+        const { rebuild, fixBoundary } = smooth;
+        return { stability: await mesh.stability(spec, { rebuild, fixBoundary }, run) };
+      }
       case 'row': {
         if (selected === null) return null;
         const vertex = selected;

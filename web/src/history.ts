@@ -17,6 +17,8 @@ const parts: readonly (readonly [string, (state: State) => unknown])[] = [
   ['the vertex weights of B', ({ vertexWeights }) => vertexWeights.b],
   ['the smoothing', ({ moves }) => moves],
   ['the step shown', ({ step }) => step],
+  ['the flow of A', ({ smooth }) => smooth.flow.a],
+  ['the flow of B', ({ smooth }) => smooth.flow.b],
   ['how steps are taken', ({ smooth }) => smooth],
   ['the pins', ({ harmonic }) => harmonic.pins],
   ['the compromise μ', ({ dual }) => dual.mu],

@@ -3,7 +3,7 @@ import type { App } from './app.js';
 import { count, plural } from './format.js';
 import { countFaces } from './mesh-text.js';
 import { describe, explain, reportOf } from './messages.js';
-import { upTo } from './moves.js';
+import { optionsOf, upTo } from './moves.js';
 import type { Client, ConversionSpec, Mesh, ShapeSpec, Side } from './polylap.js';
 import { freshSide, type Message } from './results.js';
 import {
@@ -204,9 +204,8 @@ export class Meshes {
       const before = mesh;
       try {
         for (const move of moves) {
-          const options = { time: move.timeH2 * mesh.meanSquaredEdge, steps: move.steps, rebuild: move.rebuild };
           const spec = specOf(move.sides[side], move.vertexWeights[side], mesh.vertices);
-          await mesh.smooth(spec, options, { side, ...run });
+          await mesh.smooth(spec, optionsOf(move, side, mesh), { side, ...run });
         }
         mesh = await mesh.convert(conversionOf(made), { side, ...run });
       } finally {

@@ -1,12 +1,10 @@
-import type { Side } from './polylap.js';
-import type { Choice, State, VertexWeights } from './state.js';
+import type { Mesh, Shape, Side, SmoothOptions } from './polylap.js';
+import type { Choice, Smooth, State, VertexWeights } from './state.js';
 
 /** Smoothing steps of one kind, as data: taken again on the same mesh, they lead to the same surfaces. */
-export interface Move {
+export interface Move extends Smooth {
   sides: Readonly<Record<Side, Choice>>;
   vertexWeights: Readonly<Record<Side, VertexWeights>>;
-  timeH2: number;
-  rebuild: boolean;
   steps: number;
 }
 
@@ -16,6 +14,23 @@ export const moveOf = ({ sides, vertexWeights, smooth }: State): Move => ({
   vertexWeights,
   ...smooth,
   steps: 1,
+});
+
+/** A move without what the mesh has none of: a choice may outlive the mesh it was made for. */
+export const possible = (move: Move, mesh: Mesh, shape: Shape | null): Move => ({
+  ...move,
+  keepVolume: move.keepVolume && shape?.volume !== null,
+  fixBoundary: move.fixBoundary && mesh.boundary.length > 0,
+});
+
+/** What a side's core is told to do. */
+export const optionsOf = (move: Move, side: Side, mesh: Mesh): Required<SmoothOptions> => ({
+  time: move.timeH2 * mesh.meanSquaredEdge,
+  steps: move.steps,
+  flow: move.flow[side],
+  rebuild: move.rebuild,
+  keepVolume: move.keepVolume,
+  fixBoundary: move.fixBoundary,
 });
 
 export const stepsOf = (moves: readonly Move[]): number => moves.reduce((sum, { steps }) => sum + steps, 0);

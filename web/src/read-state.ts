@@ -1,7 +1,7 @@
 /** A state that came from outside: nothing of it is believed that is not checked. */
 import { colourMaps } from './colour-maps.js';
 import type { Move } from './moves.js';
-import { conversions, type MakerInfo, operators, type Side, shapes } from './polylap.js';
+import { conversions, type Flow, type MakerInfo, operators, type Side, shapes } from './polylap.js';
 import {
   type Camera,
   type Change,
@@ -12,6 +12,7 @@ import {
   type Made,
   type Parameters,
   presets,
+  type Smooth,
   type Source,
   type State,
   sides,
@@ -48,7 +49,7 @@ export function readState(value: unknown): State {
     source: readSource(all.source),
     sides: perSide('sides', readChoice),
     vertexWeights: perSide('vertexWeights', readWeights),
-    smooth: { timeH2: time(smooth.timeH2), rebuild: truth(smooth.rebuild, 'rebuild') },
+    smooth: readSmooth(smooth),
     moves,
     step: whole(all.step, 0, steps, 'the step shown'),
     harmonic: {
@@ -76,6 +77,7 @@ export function readState(value: unknown): State {
   };
 }
 
+const flows: readonly Flow[] = ['implicit', 'conformalised', 'explicit'];
 const maxIndex = 2 ** 31 - 1;
 
 function readSource(value: unknown): Source {
@@ -120,11 +122,23 @@ function readMoves(value: unknown, name: string): Move[] {
     return {
       sides: { a: readChoice(choices.a, 'the operator of A'), b: readChoice(choices.b, 'the operator of B') },
       vertexWeights: { a: readWeights(weights.a, 'weights of A'), b: readWeights(weights.b, 'weights of B') },
-      timeH2: time(given.timeH2),
-      rebuild: truth(given.rebuild, 'rebuild'),
+      ...readSmooth(given),
       steps: whole(given.steps, 1, mostSteps, 'steps'),
     };
   });
+}
+
+/** Links from before there were flows say nothing of them. */
+function readSmooth(given: Fields): Smooth {
+  const { flow = initialState().smooth.flow, keepVolume = false, fixBoundary = false } = given;
+  const { a, b } = fields(flow, 'the flows');
+  return {
+    timeH2: time(given.timeH2),
+    rebuild: truth(given.rebuild, 'rebuild'),
+    flow: { a: among(a, flows, 'the flow of A'), b: among(b, flows, 'the flow of B') },
+    keepVolume: truth(keepVolume, 'keepVolume'),
+    fixBoundary: truth(fixBoundary, 'fixBoundary'),
+  };
 }
 
 function readChoice(value: unknown, name: string): Choice {

@@ -11,6 +11,7 @@ import type {
   Shape,
   Side,
   SmoothingSolve,
+  Stability,
   Weights,
 } from './polylap.js';
 
@@ -23,6 +24,8 @@ export interface SideResults {
   shape: Shape | null;
   /** The step that led here. */
   solve: SmoothingSolve | null;
+  /** Of an explicit step from here. */
+  stability: Stability | string | null;
   weights: Weights | string | null;
   harmonic: Harmonic | string | null;
   matrices: Matrices | string | null;
@@ -89,6 +92,7 @@ export function freshSide(positions: Float32Array = new Float32Array(0)): SideRe
     positions,
     shape: null,
     solve: null,
+    stability: null,
     weights: null,
     harmonic: null,
     matrices: null,

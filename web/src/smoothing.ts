@@ -3,7 +3,7 @@ import type { App } from './app.js';
 import { count } from './format.js';
 import { latest } from './latest.js';
 import { explain } from './messages.js';
-import { after, common, type Move, moveOf, stepsOf, upTo, withStep } from './moves.js';
+import { after, common, type Move, moveOf, optionsOf, possible, stepsOf, upTo, withStep } from './moves.js';
 import type { Mesh, Smoothed } from './polylap.js';
 import type { Results } from './results.js';
 import { type State, sides } from './state.js';
@@ -17,7 +17,7 @@ const playingNotice = 'Smoothing …';
 /** What the surfaces on the way may take, in bytes. */
 const trailSize = 256e6;
 
-/** Implicit smoothing: both surfaces move in step, and can go back. */
+/** Smoothing: both surfaces move in step, and can go back. */
 export class Smoothing {
   private plays = 0;
   private goals = 0;
@@ -34,6 +34,7 @@ export class Smoothing {
 
   set(patch: Partial<State['smooth']>): void {
     this.app.state.set({ smooth: { ...this.app.state.get().smooth, ...patch } });
+    if (!('timeH2' in patch)) for (const side of sides) this.app.answers.stability(side);
   }
 
   /** Another mesh begins at its own beginning. */
@@ -55,9 +56,9 @@ export class Smoothing {
   /** One step on both sides, shown at once. */
   step(): Promise<void> {
     return this.alone(async () => {
-      const { mesh } = this.app.results.get();
+      const { mesh, a } = this.app.results.get();
       const state = this.app.state.get();
-      if (mesh) await this.take(mesh, upTo(state.moves, state.step), moveOf(state));
+      if (mesh) await this.take(mesh, upTo(state.moves, state.step), possible(moveOf(state), mesh, a.shape));
     });
   }
 
@@ -107,6 +108,7 @@ export class Smoothing {
   pause(): void {
     if (!this.app.results.get().playing) return;
     this.app.results.set({ playing: false });
+    for (const side of sides) this.app.answers.stability(side);
     if (!this.stepping) this.sayPaused();
   }
 
@@ -134,12 +136,11 @@ export class Smoothing {
   private async take(mesh: Mesh, before: readonly Move[], move: Move): Promise<boolean> {
     const { app } = this;
     const step = stepsOf(before);
-    const options = { time: move.timeH2 * mesh.meanSquaredEdge, steps: 1, rebuild: move.rebuild };
     const settled = await Promise.allSettled(
       sides.map((side) => {
         const spec = specOf(move.sides[side], move.vertexWeights[side], mesh.vertices);
         const label = `${side.toUpperCase()}: step ${step + 1}`;
-        return app.work.run(label, (run) => mesh.smooth(spec, options, { side, ...run }), side);
+        return app.work.run(label, (run) => mesh.smooth(spec, optionsOf(move, side, mesh), { side, ...run }), side);
       }),
     );
     if (app.results.get().mesh !== mesh) return false;
@@ -167,7 +168,10 @@ export class Smoothing {
       if (isCancelled(outcome.reason)) patch.notice = 'Cancelled; the surfaces are those of the last finished step.';
       else {
         const area = app.results.get()[side].shape?.area ?? this.loadedArea;
-        const collapsed = step > 0 && (area < littleLeft * this.loadedArea || isFaceRefused(outcome.reason));
+        // What unstable steps blow up has not collapsed.
+        const collapsed =
+          step > 0 &&
+          (area < littleLeft * this.loadedArea || (isFaceRefused(outcome.reason) && area < this.loadedArea));
         stops.push({ side, step, collapsed, reason: explain(outcome.reason) });
       }
     }

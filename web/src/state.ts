@@ -1,6 +1,6 @@
 import type { ColourMap } from './colour-maps.js';
 import type { Move } from './moves.js';
-import type { ConversionSpec, MakerInfo, OperatorInfo, PropertyId, ShapeSpec, Side } from './polylap.js';
+import type { ConversionSpec, Flow, MakerInfo, OperatorInfo, PropertyId, ShapeSpec, Side } from './polylap.js';
 import { conversions, operators, shapes } from './polylap.js';
 
 export type Task = 'weights' | 'smooth' | 'harmonic' | 'dual' | 'check';
@@ -55,6 +55,15 @@ export type Source = (
   | { kind: 'file'; name: string; file: number; repaired?: boolean }
 ) & { changes?: readonly Change[] };
 
+/** How steps are taken. What a mesh does not have is not kept, see moves.ts. */
+export interface Smooth {
+  timeH2: number;
+  rebuild: boolean;
+  flow: Readonly<Record<Side, Flow>>;
+  keepVolume: boolean;
+  fixBoundary: boolean;
+}
+
 /** Everything a person has chosen; plain data, so that it can be stored and sent. What was computed from it is in results.ts. */
 export interface State {
   version: 3;
@@ -63,7 +72,7 @@ export interface State {
   sides: Readonly<Record<Side, Choice>>;
   /** For the operators that take them. */
   vertexWeights: Readonly<Record<Side, VertexWeights>>;
-  smooth: { timeH2: number; rebuild: boolean };
+  smooth: Smooth;
   /** The steps since the loaded mesh, and after how many of them the surfaces are shown. */
   moves: readonly Move[];
   step: number;
@@ -154,7 +163,13 @@ export function initialState(): State {
     source: { kind: 'preset', id: 'noisy-torus' },
     sides: { a: initialChoice(openingPair.a), b: initialChoice(openingPair.b) },
     vertexWeights: { a: {}, b: {} },
-    smooth: { timeH2: 0.02, rebuild: true },
+    smooth: {
+      timeH2: 0.02,
+      rebuild: true,
+      flow: { a: 'implicit', b: 'implicit' },
+      keepVolume: false,
+      fixBoundary: false,
+    },
     moves: [],
     step: 0,
     harmonic: { pins: [], value: 1 },

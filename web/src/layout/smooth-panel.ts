@@ -5,6 +5,7 @@ import { stepsOf } from '../moves.js';
 import type { SmoothingSolve } from '../polylap.js';
 import { sides } from '../state.js';
 import { button, numberField, slider } from './controls.js';
+import { flowTable, keepChecks, stabilityNotes } from './flow-controls.js';
 import { smoothPlots } from './smooth-plots.js';
 import { sideTable } from './table.js';
 
@@ -60,10 +61,11 @@ function scrubber(app: App): HTMLElement {
 
 function solverText({ solver, iterations }: SmoothingSolve): string {
   if (solver === 'conjugate-gradients') return `${count(iterations)} conjugate gradient steps`;
+  if (solver === 'diagonal') return 'dividing by the mass';
   return solver === 'cholesky' ? 'a Cholesky factor' : 'an LU factor';
 }
 
-/** Implicit smoothing on both sides in step. */
+/** Smoothing on both sides in step. */
 export function smoothPanel(app: App): HTMLElement {
   const setTime = (timeH2: number) => app.smoothing.set({ timeH2 });
   const track = slider({
@@ -86,6 +88,7 @@ export function smoothPanel(app: App): HTMLElement {
     'data-field': 'rebuild',
     onchange: () => app.smoothing.set({ rebuild: rebuild.checked }),
   });
+  const ownRule = h('span', { class: 'reason' });
   const readouts = sideTable('Surfaces', [
     { id: 'step', name: 'step' },
     { id: 'mean-non-planarity', name: 'mean non-planarity' },
@@ -100,12 +103,8 @@ export function smoothPanel(app: App): HTMLElement {
     h(
       'section',
       {},
-      h('h2', {}, 'Implicit smoothing'),
-      h(
-        'p',
-        { class: 'equation' },
-        h('span', {}, '(', h('i', {}, 'M'), ' + ', h('i', {}, 't S'), ') ', h('i', {}, 'x'), '′ = ', h('i', {}, 'M x')),
-      ),
+      h('h2', {}, 'Smoothing'),
+      flowTable(app),
       transport(app),
       scrubber(app),
       h(
@@ -116,7 +115,13 @@ export function smoothPanel(app: App): HTMLElement {
         field.element,
         h('span', { class: 'unit' }, h('i', {}, 'h'), '²'),
       ),
-      h('label', { class: 'check' }, rebuild, 'Rebuild the operator each step'),
+      stabilityNotes(app),
+      h(
+        'div',
+        {},
+        h('label', { class: 'check' }, rebuild, 'Rebuild the operator each step', ownRule),
+        ...keepChecks(app),
+      ),
       solvers,
     ),
     h('section', {}, h('h2', {}, 'Surfaces'), readouts.element, whyNoVolume),
@@ -125,10 +130,12 @@ export function smoothPanel(app: App): HTMLElement {
 
   app.state.watch(
     (state) => [state.smooth],
-    ({ timeH2, rebuild: each }) => {
+    ({ timeH2, rebuild: each, flow }) => {
       track.set(Math.log10(timeH2), `${timeH2} h²`);
       field.set(timeH2);
       rebuild.checked = each;
+      rebuild.disabled = sides.every((side) => flow[side] === 'conformalised');
+      ownRule.textContent = rebuild.disabled ? 'the flow decides' : '';
     },
   );
   app.results.watch(
