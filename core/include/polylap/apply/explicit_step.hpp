@@ -39,7 +39,7 @@ struct Stability {
 inline constexpr double negative_eigenvalue_tolerance = 1e-9;
 
 /// @param fixed as in explicit_step
-/// @return λ_max, at most the true one, and by Lanczos within 1e-4 of an eigenvalue; measured, within 1e-6 of λ_max
+/// @return λ_max, at most the true one, and by Lanczos within 1e-5 of an eigenvalue; measured, within 1e-6 of λ_max
 /// @error bad_argument (sizes that do not fit, a fixed vertex out of range or twice; S not symmetric, nor becomes so
 ///        by weights for its rows), mass_not_positive (element = vertex), not_converged, out_of_memory, cancelled
 Result<Stability> explicit_stability(const OperatorMatrices& matrices, std::span<const Index> fixed = {},
