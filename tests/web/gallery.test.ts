@@ -105,6 +105,8 @@ describe('an entry', () => {
     if (wanted.step === 0 && id !== 'power-weights')
       expect([await readout(page, 'negative', 'a'), await readout(page, 'negative', 'b')]).toEqual(facts[id]?.negative);
     expect(await readout(page, 'faces', 'a')).toBe(facts[id]?.faces);
+    const panel = page.locator('.panel');
+    expect(await panel.evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth)).toBe(0);
   });
 
   it('of the thesis comes out as there: the middle is 4/3 against 1, A dips below 0, its kernel has two dimensions', async () => {

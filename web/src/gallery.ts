@@ -126,6 +126,7 @@ const figures: readonly Entry[] = [
     figure: () => ({
       sides: { a: choice('planar', { rule: 'fan' }), b: choice('planar') },
       selected: 0,
+      selectedFace: 0,
     }),
   },
   {
@@ -158,7 +159,7 @@ const figures: readonly Entry[] = [
     look: 'A hexagon in no plane: its vector area is that of its largest projection, and only this is what B triangulates.',
     place: 'Fig. 4.4',
     source: { kind: 'shape', shape: { id: 'wavy-polygon', parameters: { n: 6, height: 0.5 } } },
-    figure: () => ({ selected: 0 }),
+    figure: () => ({ selected: 0, selectedFace: 0 }),
   },
   {
     id: 'checkerboard',

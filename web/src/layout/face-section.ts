@@ -74,6 +74,8 @@ function report(app: App, face: number, faces: Faces): HTMLElement[] {
 }
 
 const mostCorners = 24;
+/** Of a vector's length, a component of that size is 0. */
+const rounding = 1e-12;
 
 /** How the operator sees the face, besides its outline. */
 function cutting({ projected, triangles }: FaceReport): string {
@@ -84,20 +86,26 @@ function cutting({ projected, triangles }: FaceReport): string {
 
 /** Vector area and normal, and what they come to. */
 function vectors(face: number, faces: Faces): HTMLElement {
-  const row = (id: string, head: HTMLElement, of: (report: FaceReport) => number) =>
+  const row = (id: string, head: HTMLElement, of: (report: FaceReport) => number, length = of) =>
     h(
       'tr',
       {},
       head,
       ...sides.map((side) => {
         const value = of(faces[side]);
-        return h('td', { 'data-readout': id, 'data-of': side, 'data-value': value }, real(value));
+        const seen = Math.abs(value) <= rounding * length(faces[side]) ? 0 : value;
+        return h('td', { 'data-readout': id, 'data-of': side, 'data-value': value }, real(seen));
       }),
     );
   const named = (...name: (Node | string)[]) => h('th', { scope: 'row' }, ...name);
   const components = (letter: 'a' | 'n', of: (report: FaceReport) => readonly number[]) =>
     ['x', 'y', 'z'].map((axis, c) =>
-      row(`${letter}-${axis}`, named(h('i', {}, letter), h('sub', {}, axis)), (report) => of(report)[c] ?? 0),
+      row(
+        `${letter}-${axis}`,
+        named(h('i', {}, letter), h('sub', {}, axis)),
+        (report) => of(report)[c] ?? 0,
+        (report) => Math.hypot(...of(report)),
+      ),
     );
   return h(
     'table',
