@@ -15,14 +15,23 @@ class Hand {
     return new Hand(await page.context().newCDPSession(page));
   }
 
-  private send(type: 'touchStart' | 'touchMove' | 'touchEnd', points: readonly Point[]): Promise<unknown> {
+  private send(
+    type: 'touchStart' | 'touchMove' | 'touchEnd',
+    points: readonly Point[],
+    timestamp?: number,
+  ): Promise<unknown> {
     const touchPoints = points.map(([x, y], id) => ({ x, y, id }));
-    return this.session.send('Input.dispatchTouchEvent', { type, touchPoints });
+    return this.session.send('Input.dispatchTouchEvent', { type, touchPoints, timestamp });
   }
 
-  async tap(at: Point): Promise<void> {
-    await this.send('touchStart', [at]);
-    await this.send('touchEnd', []);
+  /** @param when it is, in seconds since 1970, whatever the time it takes to arrive */
+  async tap(at: Point, when?: number): Promise<void> {
+    await Promise.all([this.send('touchStart', [at], when), this.send('touchEnd', [], when && when + 0.03)]);
+  }
+
+  async doubleTap(at: Point): Promise<void> {
+    const now = Date.now() / 1000;
+    await Promise.all([this.tap(at, now), this.tap(at, now + 0.1)]);
   }
 
   /** Each finger along a straight line, all at once. */
@@ -120,8 +129,7 @@ describe('a page of its own', () => {
     const { page } = at;
     const [x, y] = await middle(page);
     const before = await cameraOf(page);
-    await hand.tap([x, y]);
-    await hand.tap([x, y]);
+    await hand.doubleTap([x, y]);
     await page.waitForFunction(
       (was) => JSON.stringify(globalThis.polylap.state().camera?.target) !== was,
       JSON.stringify(before?.target),
@@ -169,13 +177,34 @@ describe('a page of its own', () => {
     await hand.drag([[x, y]], [[x + 60, y]]);
     await moved(page, before);
     const turned = await cameraOf(page);
-    await hand.tap([x, y + 60]);
-    await hand.tap([x, y + 60]);
+    await hand.doubleTap([x, y + 60]);
     await moved(page, turned);
     expect(await pins()).toBe(1);
     // Had the first of both taps pinned and the second one unpinned, there would be more to undo than the one pin.
     await page.keyboard.press('Control+z');
     await page.waitForFunction(() => globalThis.polylap.state().harmonic.pins.length === 0);
+  });
+
+  it('drags the label of a pin, and leaves the mesh where it is', async () => {
+    const { page } = at;
+    await page.getByRole('button', { name: 'Two pins, 0 and 1' }).click();
+    await settled(page);
+    const before = await cameraOf(page);
+    const label = page.locator('[data-view=a] .pin-label:not(.unplaced)').first();
+    const box = await label.boundingBox();
+    if (!box) throw new Error('no label');
+    const pins = () => page.evaluate(() => globalThis.polylap.state().harmonic.pins.map(({ vertex }) => vertex));
+    const old = await pins();
+    await hand.drag(
+      [[box.x + box.width / 2, box.y + box.height / 2]],
+      [[...(await middle(page))].map((c, k) => c + 70 * k) as unknown as Point],
+    );
+    await page.waitForFunction(
+      (was) => globalThis.polylap.state().harmonic.pins.some(({ vertex }) => !was.includes(vertex)),
+      old,
+    );
+    expect(await pins()).toHaveLength(2);
+    expect(await cameraOf(page)).toEqual(before);
     expect(at.troubles).toEqual([]);
   });
 });
@@ -314,8 +343,7 @@ describe('inside another page', () => {
   it('shows all of the mesh after a double tap, and picks by a tap', async () => {
     const before = await cameraOf(frame);
     const [x, y] = await middle(frame);
-    await hand.tap([x, y]);
-    await hand.tap([x, y]);
+    await hand.doubleTap([x, y]);
     await moved(frame, before);
     const other = await frame.evaluate(() => {
       const total = globalThis.polylap.results().mesh?.vertices ?? 0;

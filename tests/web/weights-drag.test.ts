@@ -1,5 +1,6 @@
 /** Weights of vertices, dragged on the mesh. */
 import { beforeAll, describe, expect, it } from 'vitest';
+import { complaints } from './acts.js';
 import { chooseMesh, picture, readout, settled, useSite, useVisit } from './browser.js';
 
 const at = useVisit(useSite());
@@ -103,6 +104,7 @@ describe('the handle of a weight', () => {
     expect(await handle('a').getAttribute('aria-valuenow')).toBe(String((await omega()).a[vertex]));
     await page.keyboard.press('Delete');
     expect((await omega()).a).toEqual({});
+    expect(await complaints(page)).toEqual([]);
     expect(at.troubles).toEqual([]);
   });
 });

@@ -184,15 +184,18 @@ export function bindInput(app: App, viewer: Viewer, places: Record<View, HTMLEle
     const view = places[side];
     let looking = 0;
     const meant = ({ x, y, touch }: Tap) => viewer.meant(side, x, y, touch);
+    let toPin: number | null = null;
     onTap(view, {
       tap: (at) => {
         const { vertex, face } = meant(at);
-        if (face !== null && app.state.get().task === 'weights') app.selectFace(face);
+        const { task } = app.state.get();
+        toPin = task === 'harmonic' ? vertex : null;
+        if (face !== null && task === 'weights') app.selectFace(face);
         else if (vertex !== null) app.select(vertex);
       },
-      single: (at) => {
-        const vertex = app.state.get().task === 'harmonic' ? meant(at).vertex : null;
-        if (vertex !== null) app.touchPin(vertex);
+      single: () => {
+        // The task may be another one by now.
+        if (toPin !== null && app.state.get().task === 'harmonic') app.touchPin(toPin);
       },
       double: () => viewer.camera.reset(),
     });

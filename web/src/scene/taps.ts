@@ -14,7 +14,7 @@ export interface TapListener {
   /** At once. */
   tap: (at: Tap) => void;
   /** As soon as no second tap can follow: what a double tap should not do on its way. */
-  single?: (at: Tap) => void;
+  single?: () => void;
   /** Two taps of one finger. */
   double?: () => void;
 }
@@ -42,7 +42,7 @@ export function onTap(view: HTMLElement, { tap, single, double }: TapListener): 
     if (!still) return;
     if (!at.touch) {
       tap(at);
-      single?.(at);
+      single?.();
       return;
     }
     const again =
@@ -56,6 +56,6 @@ export function onTap(view: HTMLElement, { tap, single, double }: TapListener): 
       return;
     }
     tap(at);
-    waiting = setTimeout(() => single?.(at), doubleTap.span);
+    waiting = setTimeout(() => single?.(), doubleTap.span);
   });
 }
