@@ -1,6 +1,7 @@
 // Stands in for what polylap-core.wasm does without, which a page loads when it is first asked for: the library's own
 // files of these functions stay out of a program that has this one. Each answers not_included, an error that no other
 // program meets.
+#include "polylap/apply/explicit_step.hpp"
 #include "polylap/operators/dual_vertices.hpp"
 #include "solve/lu_factor.hpp"
 
@@ -30,6 +31,16 @@ Matrix LuFactor::solve(const Eigen::Ref<const Matrix>& rhs) const {
 
 std::int64_t LuFactor::bytes() const noexcept {
     return 0;
+}
+
+Result<SmoothingStep> explicit_step(const OperatorMatrices& /*matrices*/, double /*time*/, const Points& /*points*/,
+                                    std::span<const Index> /*fixed*/, Monitor /*monitor*/) {
+    return absent();
+}
+
+Result<Stability> explicit_stability(const OperatorMatrices& /*matrices*/, std::span<const Index> /*fixed*/,
+                                     Monitor /*monitor*/) {
+    return absent();
 }
 
 Result<OrthogonalDual> orthogonal_dual(const PolygonMesh& /*mesh*/, DualOptions /*options*/, Monitor /*monitor*/) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 
@@ -162,17 +161,6 @@ Result<SmoothingStep> explicit_step(const OperatorMatrices& matrices, double tim
         }
         return step;
     });
-}
-
-double Stability::limit() const {
-    if (smallest < 0) return 0;
-    return largest > 0 ? 2 / largest : std::numeric_limits<double>::infinity();
-}
-
-double Stability::growth(double time) const {
-    const double top = 1 - time * largest;
-    const double bottom = 1 - time * smallest;
-    return smallest < 0 && std::abs(bottom) > std::abs(top) ? bottom : top;
 }
 
 Result<Stability> explicit_stability(const OperatorMatrices& matrices, std::span<const Index> fixed, Monitor monitor) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+#include <limits>
 #include <span>
 
 #include "polylap/apply/smoothing.hpp"
@@ -29,10 +31,17 @@ struct Stability {
 
     /// Steps t below this are stable: 2 / λ_max, length². 0: none is, for there is a negative eigenvalue, infinity:
     /// all.
-    double limit() const;
+    double limit() const {
+        if (smallest < 0) return 0;
+        return largest > 0 ? 2 / largest : std::numeric_limits<double>::infinity();
+    }
     /// By what a step multiplies the roughest mode, 1 - tλ_max; negative: with alternating sign. Where the mode of the
     /// negative eigenvalue grows more, that mode.
-    double growth(double time) const;
+    double growth(double time) const {
+        const double top = 1 - time * largest;
+        const double bottom = 1 - time * smallest;
+        return smallest < 0 && std::abs(bottom) > std::abs(top) ? bottom : top;
+    }
 };
 
 /// A negative eigenvalue counts from this multiple of λ_max.
