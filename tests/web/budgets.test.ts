@@ -187,10 +187,11 @@ describe('200 meshes, one after the other', () => {
       before.textures,
       before.programs,
     ]);
-    expect(after.nodes).toBeLessThanOrEqual(before.nodes);
-    expect(after.listeners).toBeLessThanOrEqual(before.listeners);
+    // Give or take what the last mesh needs: a node that each mesh left behind would make 200 more.
+    expect(after.nodes).toBeLessThan(before.nodes + 100);
+    expect(after.listeners).toBeLessThan(before.listeners + 100);
     expect(after.wasm).toEqual(before.wasm);
-    // One mesh in ten that stays would be more.
+    // The engine's own: code that it compiles anew, timings that it records. One mesh in ten that stays would be more.
     expect(grown).toBeLessThan(1000);
     await context.close();
   }, 400_000);
