@@ -29,10 +29,16 @@ std::string solve_text(const SmoothingSolve& solve) {
 /// What bounds explicit steps, on the loaded mesh.
 std::string stability_text(const Result<Stability>& stability, double time, double h2) {
     if (!stability) return "explicit steps: " + stability.error().message + "\n";
-    std::string text = "explicit steps stable for t < ";
-    append_number(text, stability->limit());
-    append_number(text += " (", stability->limit() / h2);
-    append_number(text += " h²); the first multiplies the roughest mode by ", stability->growth(time));
+    std::string text;
+    if (stability->limit() > 0) {
+        append_number(text += "explicit steps stable for t < ", stability->limit());
+        append_number(text += " (", stability->limit() / h2);
+        text += " h²); the first multiplies the roughest mode by ";
+    } else {
+        append_number(text += "no explicit step is stable: S has the eigenvalue ", stability->smallest);
+        text += "; the first multiplies a mode by ";
+    }
+    append_number(text, stability->growth(time));
     return text + "\n";
 }
 
