@@ -1,6 +1,6 @@
 /** What a visitor has to wait for: the bytes up to the opening view, as a static host would send them, and the time to its first frame. */
 import { expect, it } from 'vitest';
-import { useSite, visit } from './browser.js';
+import { negative, settled, useSite, visit } from './browser.js';
 
 const site = useSite({ compressed: true });
 
@@ -44,4 +44,36 @@ it('the first frame comes within a second', async () => {
   } while (Math.min(...times) > soonEnough && times.length < mostVisits);
   console.log(`first frame ${times.map((time) => Math.round(time)).join(', ')} ms after navigation`);
   expect(Math.min(...times)).toBeLessThanOrEqual(soonEnough);
+});
+
+it('what takes the whole core has it fetched once, and nothing is lost where it cannot be had', async () => {
+  const { page, close } = await visit(site);
+  const before = await negative(page);
+  const wholes = () => site.sent.filter(({ file }) => /polylap-(?!core)[^/]*\.wasm$/.test(file)).length;
+  const already = wholes();
+  const addresses = /\/polylap-(?!core)[^/]*\.wasm$/;
+  await page.route(addresses, (route) => route.abort());
+  await page.getByRole('tab', { name: 'Check' }).click();
+  await page.getByText(/a part of the core could not be loaded/i).waitFor();
+  await settled(page);
+  expect(await negative(page)).toEqual(before);
+
+  // On a slow line it says what it waits for.
+  await page.unroute(addresses);
+  let deliver = () => {};
+  const wanted = new Promise<void>((resolve) => {
+    deliver = resolve;
+  });
+  await page.route(addresses, (route) => wanted.then(() => route.continue()));
+  for (const task of ['Weights', 'Check']) await page.getByRole('tab', { name: task }).click();
+  await page.locator('.job', { hasText: 'Loading what this takes' }).waitFor();
+  deliver();
+  await settled(page);
+  await page.waitForFunction(() => {
+    const { a, b } = globalThis.polylap.results();
+    return [a.check, b.check].every((check) => check && typeof check === 'object');
+  });
+  expect(wholes() - already).toBe(1);
+  expect(await negative(page)).toEqual(before);
+  await close();
 });
