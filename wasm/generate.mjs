@@ -6,7 +6,7 @@ import temml from 'temml';
 const target = new URL('src/generated.ts', import.meta.url);
 const build = new URL('../build/wasm/', import.meta.url);
 
-const quote = (text) => `'${text.replaceAll('\\', '\\\\').replaceAll("'", "\\'")}'`;
+const quote = (text) => `'${text.replaceAll('\\', '\\\\').replaceAll("'", "\\'").replaceAll('\n', '\\n')}'`;
 const key = (name) => (/^[a-z]\w*$/i.test(name) ? name : quote(name));
 const typeName = (id) => id.replace(/(?:^|-)(.)/g, (_, letter) => letter.toUpperCase());
 const union = (names) => names.map((name) => `\n  | ${quote(name)}`).join('');

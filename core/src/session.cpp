@@ -249,6 +249,31 @@ Result<const PropertyReport*> Session::check(Side side, Monitor monitor) {
     });
 }
 
+Result<Eigenpairs> Session::spectrum(Side side, Index count, Monitor monitor) {
+    Stretch building{monitor, 0, 0.1};
+    Stretch solving{monitor, 0.1, 1};
+    const auto built = matrices(side, building.monitor());
+    if (!built) return built.error();
+    if ((*built)->structure == Structure::general) {
+        return Error{ErrorCode::bad_argument,
+                     "the stiffness of '" + spec(side).id +
+                         "' is not symmetric: its eigenvalues need not be real, and only those of symmetric operators "
+                         "are found"};
+    }
+    return lowest_eigenpairs((*built)->stiffness, (*built)->mass, count, solving.monitor(), surface(side).positions());
+}
+
+Result<double> Session::energy(Side side, Monitor monitor) {
+    const auto built = matrices(side, monitor);
+    if (!built) return built.error();
+    return guard_memory([&]() -> Result<double> {
+        // Relative to the middle of the mesh: where constants have no energy, it loses no digits.
+        const Points points = surface(side).positions().rowwise() - impl_->origin.transpose();
+        const Points weighed = (*built)->stiffness * points;
+        return points.cwiseProduct(weighed).sum();
+    });
+}
+
 Result<OrthogonalDual> Session::dual(Side side, DualOptions options, Monitor monitor) {
     return orthogonal_dual(impl_->side(side).surface, options, monitor);
 }

@@ -140,7 +140,12 @@ void declare_descriptions(CLI::App& app, Arguments& a, Command& chosen) {
         add_json(*command, a);
         command->callback([&a, &chosen, list] { chosen = [&a, list] { return list(a.json); }; });
     };
-    table("operators", "List the operators, their parameters and what they claim", operator_table);
+    CLI::App* const operators =
+        app.add_subcommand("operators", "List the operators, their parameters and what they claim");
+    add_json(*operators, a);
+    operators->add_flag("--bibtex", a.bibtex, "Write only the BibTeX entries of the works they come from")
+        ->excludes("--json");
+    operators->callback([&] { chosen = [&] { return operator_table(a.json, a.bibtex); }; });
     table("shapes", "List the shapes that 'make' makes, with their parameters", shape_table);
     table("conversions", "List what 'convert' can do, with parameters", conversion_table);
 }
@@ -273,6 +278,16 @@ void declare_measurements(CLI::App& app, Arguments& a, Command& chosen) {
         refuse_standard_output(a.second_out, "--modes");
         chosen = [&] { return tool::spectrum(a.mesh, a.choice, a.count, a.json, a.second_out); };
     });
+
+    CLI::App* const face = app.add_subcommand("face", "Describe a face, and what it adds to the stiffness matrix");
+    add_mesh(*face, a);
+    add_operator(*face, a);
+    add_whole(*face, "--face", "Its number, counted from 0", 0, std::numeric_limits<Index>::max(),
+              [&](double value) { a.face = static_cast<Index>(value); })
+        ->required()
+        ->type_name("F");
+    add_json(*face, a);
+    face->callback([&] { chosen = [&] { return tool::face(a.mesh, a.choice, a.face, a.json); }; });
 
     CLI::App* const dual =
         app.add_subcommand("dual", "Orthogonal dual: a vertex per face, edges orthogonal to the mesh's");

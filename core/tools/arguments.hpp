@@ -19,7 +19,9 @@ struct Arguments {
     std::string fixed, out, second_out;
     double mu = 0;
     Index count = 10;
+    Index face = 0;
     bool json = false;
+    bool bibtex = false;
 };
 
 using Command = std::function<Result<Outputs>()>;

@@ -52,7 +52,8 @@ using Outputs = std::vector<Output>;
 
 // Each command reads its files and returns what is to be written; nothing is written before all of it is known.
 Result<Outputs> info(const MeshChoice& mesh, bool json);
-Result<Outputs> operator_table(bool json);
+/// @param bibtex only the entries of the works they come from, each once
+Result<Outputs> operator_table(bool json, bool bibtex);
 Result<Outputs> shape_table(bool json);
 Result<Outputs> conversion_table(bool json);
 Result<Outputs> matrix(const MeshChoice& mesh, const OperatorChoice& choice, const std::string& stiffness_path,
@@ -66,6 +67,7 @@ Result<Outputs> convergence(const OperatorChoice& choice, bool json);
 /// @param modes_path rows 'vertex,mode0,...' of the eigenvectors; empty: none
 Result<Outputs> spectrum(const MeshChoice& mesh, const OperatorChoice& choice, Index count, bool json,
                          const std::string& modes_path);
+Result<Outputs> face(const MeshChoice& mesh, const OperatorChoice& choice, Index face, bool json);
 Result<Outputs> dual(const MeshChoice& mesh, double mu, bool json, const std::string& path);
 Result<Outputs> make(const NamedChoice& shape, const NoiseChoice& noise, const std::string& path);
 /// @param map_path rows 'vertex,original': the file's number of each vertex after repair; empty: none

@@ -1,4 +1,5 @@
 // The commands that describe: `info` and the tables `operators`, `shapes`, `conversions`.
+#include <algorithm>
 #include <iomanip>
 #include <map>
 #include <sstream>
@@ -99,6 +100,7 @@ ordered_json operator_json(const OperatorInfo& info) {
             {"label", info.label},
             {"formula", info.formula_latex},
             {"citation", info.citation},
+            {"bibtex", info.bibtex},
             {"summary", info.summary},
             {"parameters", parameters_json(info.parameters)},
             {"takesVertexWeights", info.takes_vertex_weights},
@@ -186,7 +188,17 @@ Result<Outputs> info(const MeshChoice& choice, bool json) {
     return Outputs{{"-", json ? dump(facts) : info_text(facts, *session)}};
 }
 
-Result<Outputs> operator_table(bool json) {
+Result<Outputs> operator_table(bool json, bool bibtex) {
+    if (bibtex) {
+        std::vector<std::string_view> entries;
+        std::string text;
+        for (const OperatorInfo* info : operators()) {
+            if (std::find(entries.begin(), entries.end(), info->bibtex) != entries.end()) continue;
+            text += (entries.empty() ? "" : "\n") + std::string(info->bibtex) + '\n';
+            entries.emplace_back(info->bibtex);
+        }
+        return Outputs{{"-", text}};
+    }
     if (json) {
         ordered_json table = ordered_json::array();
         for (const OperatorInfo* entry : operators())

@@ -5,7 +5,6 @@
 
 #include "json_text.hpp"
 #include "open_session.hpp"
-#include "polylap/solve/eigenpairs.hpp"
 #include "tables.hpp"
 
 namespace polylap::tool {
@@ -36,19 +35,11 @@ Result<Outputs> spectrum(const MeshChoice& mesh, const OperatorChoice& choice, I
                          const std::string& modes_path) {
     auto session = open_with_operator(mesh, choice);
     if (!session) return session.error();
-    const auto found = session->matrices(side);
-    if (!found) return in_file(mesh.path, found.error());
-    const OperatorMatrices& matrices = **found;
-    if (matrices.structure == Structure::general) {
-        return Error{ErrorCode::bad_argument,
-                     "the stiffness of '" + choice.id +
-                         "' is not symmetric: its eigenvalues need not be real, and only those "
-                         "of symmetric operators are found"};
-    }
-    const auto pairs =
-        lowest_eigenpairs(matrices.stiffness, matrices.mass, count, {}, session->surface(side).positions());
+    const auto pairs = session->spectrum(side, count);
     if (!pairs) return in_file(mesh.path, pairs.error());
-    const Vector residual = residuals(matrices, *pairs);
+    const auto matrices = session->matrices(side);
+    if (!matrices) return in_file(mesh.path, matrices.error());
+    const Vector residual = residuals(**matrices, *pairs);
 
     ordered_json document{
         {"operator", choice.id}, {"vertices", session->mesh().vertex_count()}, {"pairs", ordered_json::array()}};

@@ -28,6 +28,41 @@ TEST_F(CommandLine, CheckMeasuresBesideTheClaims) {
     }
 }
 
+TEST_F(CommandLine, FaceIsTheUnitSquare) {
+    succeed("make grid --set nx=1 --set ny=1 -o square.obj");
+    const std::string square = "face square.obj --face 0 --operator ";
+    const json face = json::parse(succeed(square + "alexa-wardetzky --set lambda=1 --json"));
+    EXPECT_EQ(face["corners"].size(), 4u);
+    EXPECT_NEAR(face["vectorArea"][2].get<double>(), face["normal"][2].get<double>(), 1e-15);
+    EXPECT_EQ(face["triangles"].size(), 0u);
+    EXPECT_NEAR(face["stiffness"][0][0].get<double>(), 1.5, 1e-12);
+    EXPECT_NEAR(face["stiffness"][0][2].get<double>(), 0.5, 1e-12);
+    EXPECT_EQ(json::parse(succeed(square + "planar --json"))["triangles"].size(), 2u);
+    const std::string text = succeed(square + "planar");
+    EXPECT_NE(text.find("cut into"), std::string::npos) << text;
+    EXPECT_NE(succeed(square + "tutte").find("no sum over faces"), std::string::npos);
+    EXPECT_NE(fail(1, "face square.obj --face 1 --operator planar").find("there is no face 1"), std::string::npos);
+    EXPECT_NE(fail(2, "face square.obj --operator planar").find("--face"), std::string::npos);
+}
+
+TEST_F(CommandLine, OperatorsAreCitedOnce) {
+    const std::string entries = succeed("operators --bibtex");
+    const json table = json::parse(succeed("operators --json"));
+    std::size_t length = 0;
+    std::vector<std::string> seen;
+    for (const json& entry : table) {
+        const auto bibtex = entry["bibtex"].get<std::string>();
+        const auto at = entries.find(bibtex);
+        ASSERT_NE(at, std::string::npos) << bibtex;
+        EXPECT_EQ(entries.find(bibtex, at + 1), std::string::npos) << bibtex;
+        if (std::find(seen.begin(), seen.end(), bibtex) != seen.end()) continue;
+        seen.push_back(bibtex);
+        length += bibtex.size();
+    }
+    EXPECT_EQ(entries.size(), length + 2 * seen.size() - 1);  // line ends, and empty lines between
+    EXPECT_NE(fail(2, "operators --bibtex --json").find("--json"), std::string::npos);
+}
+
 TEST_F(CommandLine, CheckHasTheKnownFigures) {
     json report = json::parse(succeed("check '" + torus + "' --operator alexa-wardetzky --json"));
     EXPECT_EQ(report["negativeOrdered"], 2048);

@@ -186,6 +186,56 @@ TEST(Face, OfManyCornersIsToldWithoutAMatrix) {
     EXPECT_EQ(face.triangles.size(), static_cast<std::size_t>(n - 1));
 }
 
+// With cotangents in space, Σ xᵀ S x is twice the area of the triangles [Pinkall & Polthier 1993]; planar faces keep
+// it.
+TEST(Energy, IsTwiceTheArea) {
+    for (const Specimen& s : zoo()) {
+        Session session = open_mesh(s.mesh);
+        for (const char* id : {"cotan", "planar"}) {
+            check(session.set_operator(Side::a, spec_of(id)));
+            const auto energy = session.energy(Side::a);
+            if (!energy) {
+                EXPECT_EQ(energy.error().code, ErrorCode::degenerate_face) << s.name;
+                continue;
+            }
+            const bool cut_in_space = only_triangles(s.mesh) || planar_faces(s.mesh);
+            if (!cut_in_space) continue;
+            EXPECT_NEAR(*energy, 2 * total_area(s.mesh), 1e-10 * total_area(s.mesh)) << id << " on " << s.name;
+        }
+    }
+}
+
+TEST(Energy, FollowsTheSurface) {
+    Session session = open_mesh(noisy_torus());
+    check(session.set_operator(Side::a, spec_of("alexa-wardetzky")));
+    const double before = get(session.energy(Side::a));
+    check(session.smooth(Side::a, {.time = 0.01}));
+    EXPECT_LT(get(session.energy(Side::a)), 0.95 * before);
+    EXPECT_EQ(get(session.energy(Side::b)), get(session.energy(Side::b)));
+}
+
+// The five-point star on a grid of unit squares, with its own mass: at least one eigenvalue 0, all within [0, 8].
+TEST(Spectrum, IsThatOfTheMatrices) {
+    Session session = open_mesh(get(make_shape("grid", std::vector<std::pair<std::string, std::string>>{})));
+    check(session.set_operator(Side::b, spec_of("planar")));
+    const auto pairs = get(session.spectrum(Side::b, 7));
+    const OperatorMatrices& m = *get(session.matrices(Side::b));
+    ASSERT_EQ(pairs.values.size(), 7);
+    EXPECT_NEAR(pairs.values[0], 0, 1e-10);
+    const Matrix left = m.stiffness * pairs.vectors - m.mass * pairs.vectors * pairs.values.asDiagonal();
+    EXPECT_LE(left.cwiseAbs().maxCoeff(), 1e-8);
+    EXPECT_TRUE(std::is_sorted(pairs.values.begin(), pairs.values.end()));
+}
+
+TEST(Spectrum, IsRefusedWhereTheStiffnessIsNotSymmetric) {
+    Session session = open_mesh(noisy_torus());
+    check(session.set_operator(Side::a, spec_of("tutte")));
+    const auto pairs = session.spectrum(Side::a, 3);
+    ASSERT_FALSE(pairs.ok());
+    EXPECT_EQ(pairs.error().code, ErrorCode::bad_argument);
+    EXPECT_NE(pairs.error().message.find("not symmetric"), std::string::npos);
+}
+
 TEST(Face, IsRefusedWhereThereIsNone) {
     const auto mesh = make_face(unit_square);
     for (const Index f : {-1, 1}) {

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <regex>
 #include <set>
+#include <string>
 
 #include "polylap/mesh/shapes.hpp"
 #include "polylap/operators/alexa_wardetzky.hpp"
@@ -22,6 +25,49 @@ using Settings = std::vector<std::pair<std::string, std::string>>;
 bool is_kebab_case(std::string_view id) {
     return !id.empty() && id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string_view::npos &&
            id.front() != '-' && id.back() != '-';
+}
+
+/// key → what is between its braces; `type` and `key` of the entry itself too.
+std::map<std::string, std::string> fields_of(const std::string& bibtex) {
+    static const std::regex head(R"(@([a-z]+)\{([a-z]+[0-9]{4}),\n)");
+    static const std::regex field(R"(  ([a-z]+) = \{(.+)\},?\n)");
+    std::smatch found;
+    if (!std::regex_search(bibtex, found, head, std::regex_constants::match_continuous)) return {};
+    std::map<std::string, std::string> fields{{"type", found[1]}, {"key", found[2]}};
+    auto at = found[0].second;
+    while (std::regex_search(at, bibtex.end(), found, field, std::regex_constants::match_continuous)) {
+        EXPECT_TRUE(fields.emplace(found[1].str() == "type" ? "kind" : found[1].str(), found[2]).second) << found[1];
+        at = found[0].second;
+    }
+    EXPECT_EQ(std::string(at, bibtex.end()), "}");
+    return fields;
+}
+
+TEST(Table, CitesInBibtex) {
+    std::map<std::string, std::string> by_key;
+    for (const OperatorInfo* info : operators()) {
+        const std::string entry = info->bibtex;
+        int depth = 0;
+        for (const char c : entry) {
+            depth += c == '{' ? 1 : c == '}' ? -1 : 0;
+            EXPECT_GE(depth, 0) << info->id;
+            EXPECT_TRUE(c == '\n' || (c >= ' ' && c <= '~')) << info->id << ": not plain text";
+        }
+        EXPECT_EQ(depth, 0) << info->id;
+        const auto fields = fields_of(entry);
+        for (const char* needed : {"type", "key", "author", "title", "year"}) {
+            ASSERT_EQ(fields.count(needed), 1U) << info->id << ": " << needed;
+        }
+        for (const auto& [name, value] : fields) {
+            EXPECT_NE(value.find_first_not_of(" {}"), std::string::npos) << info->id << ": " << name;
+        }
+        EXPECT_NE(fields.at("key").find(fields.at("year")), std::string::npos) << info->id;
+        // The line for people names the same year.
+        EXPECT_NE(std::string(info->citation).find(fields.at("year")), std::string::npos) << info->id;
+        // One key, one work.
+        EXPECT_EQ(by_key.emplace(fields.at("key"), entry).first->second, entry) << info->id;
+    }
+    EXPECT_GT(by_key.size(), 5U);
 }
 
 TEST(Table, IsComplete) {

@@ -89,6 +89,24 @@ describe('a face', () => {
   });
 });
 
+describe('spectrum and energy', () => {
+  it('are those of the sphere and of the plane', async () => {
+    const flat = polylap.make({ shape: 'grid', nx: 8, ny: 8, width: 8, height: 8 });
+    expect(flat.energy({ id: 'planar' })).toBeCloseTo(128, 9);
+    const values = flat.spectrum({ id: 'planar' }, 4);
+    expect(values).toHaveLength(4);
+    expect(values[0]).toBeCloseTo(0, 10);
+    // The second one twice: a square has no favourite direction.
+    expect(values[1]).toBeCloseTo(values[2] as number, 9);
+    expect(values[3]).toBeGreaterThan(values[2] as number);
+    expect(() => flat.spectrum({ id: 'tutte' }, 4)).toThrow(/not symmetric/);
+    expect(() => flat.spectrum({ id: 'planar' }, 0)).toThrow(expect.objectContaining({ code: 'bad-argument' }));
+    const mesh = await (await clients.start()).make({ shape: 'grid', nx: 8, ny: 8, width: 8, height: 8 });
+    expect(await mesh.spectrum({ id: 'planar' }, 4, { side: 'b' })).toEqual(values);
+    expect(await mesh.energy({ id: 'planar' })).toBe(flat.energy({ id: 'planar' }));
+  });
+});
+
 it.each([
   ['row', -1],
   ['row', 512],

@@ -2,7 +2,7 @@
 import { readFile } from 'node:fs/promises';
 import type { Download, Page } from 'playwright-core';
 import { beforeAll, describe, expect, it } from 'vitest';
-import { load } from '../../wasm/src/node.js';
+import { load, operators } from '../../wasm/src/node.js';
 import { csv, matrixMarket } from '../../web/src/numbers-text.js';
 import { settled, shows, useSite, useVisit } from './browser.js';
 
@@ -140,6 +140,25 @@ describe('in the page', () => {
     expect(drawing).toMatch(/^<svg [^>]*xmlns="http:\/\/www.w3.org\/2000\/svg"/);
     expect(drawing).not.toContain('class=');
     expect(drawing).toMatch(/stroke="rgb/);
+  });
+
+  it('cites what the operators come from, each work once', async () => {
+    const { page } = at;
+    const entries = page.getByLabel('BibTeX', { exact: true });
+    const bibtexOf = (id: string) => operators.find((entry) => entry.id === id)?.bibtex ?? '';
+    const both = `${bibtexOf('alexa-wardetzky')}\n\n${bibtexOf('planar')}`;
+    expect(await entries.inputValue()).toBe(both);
+    const { name, contents } = await saved(page, 'bibtex');
+    expect(name).toBe('polylap.bib');
+    expect(contents.toString()).toBe(`${both}\n`);
+    await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+    await page.locator('[data-action=copy-bibtex]').click();
+    await page.getByText('Copied.').waitFor();
+    expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(both);
+    await page.getByRole('button', { name: 'Close' }).click();
+    await page.getByLabel('Operator of A', { exact: true }).selectOption('orthogonal-dual');
+    await page.getByRole('button', { name: 'Save…' }).click();
+    expect(await entries.inputValue()).toBe(bibtexOf('planar'));
   });
 
   it('says what is missing', async () => {

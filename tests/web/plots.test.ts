@@ -1,6 +1,7 @@
 /** Plots: their bins, ticks and blocks, and that the page draws what the numbers say. */
 import { readFile } from 'node:fs/promises';
 import { describe, expect, it } from 'vitest';
+import { load } from '../../wasm/src/node.js';
 import { faceSizes, spyBlocks, weightBins, weightsOf } from '../../web/src/plots/data.js';
 import { histogram, ticks } from '../../web/src/plots/scale.js';
 import type { Geometry } from '../../web/src/polylap.js';
@@ -113,6 +114,34 @@ describe('in the page', () => {
     expect(faces.reduce((sum, number) => sum + number, 0)).toBe(all);
   });
 
+  it('finds the lowest eigenvalues when asked, and forgets them with the operator', async () => {
+    const { page } = at;
+    await chooseMesh(page, 'grid-8');
+    await page.getByRole('tab', { name: 'Check' }).click();
+    await settled(page);
+    expect(await plot('spectrum').isVisible()).toBe(false);
+    await page.getByRole('button', { name: 'Find eigenvalues' }).click();
+    await plot('spectrum').getByRole('img').waitFor();
+    await settled(page);
+    const session = (await load()).make({ shape: 'grid', nx: 8, ny: 8, width: 8, height: 8 });
+    const wanted = [...session.spectrum({ id: 'planar' }, 30)];
+    const found = await column('spectrum', 3);
+    expect(found).toHaveLength(30);
+    found.forEach((value, k) => {
+      expect(value).toBeCloseTo(wanted[k] as number, 5);
+    });
+    expect(await plot('spectrum').locator('.dot').count()).toBe(60);
+    await picture(page, 'spectrum');
+    await page.getByLabel('Operator of B', { exact: true }).selectOption('tutte');
+    await page.waitForFunction(() => globalThis.polylap.results().b.spectrum === null);
+    await settled(page);
+    expect(await plot('spectrum').locator('.dot').count()).toBe(30);
+    await page.getByRole('button', { name: 'Find eigenvalues' }).click();
+    await page.getByText(/^B: .*not symmetric/).waitFor();
+    await page.getByLabel('Operator of B', { exact: true }).selectOption('planar');
+    await page.getByRole('tab', { name: 'Weights' }).click();
+  });
+
   it('follows the surfaces over the steps', async () => {
     const { page } = at;
     await chooseMesh(page, 'noisy-torus');
@@ -127,6 +156,11 @@ describe('in the page', () => {
     await settled(page);
     expect(await column('area', 2)).toEqual(areas.map((area) => Number(area?.toPrecision(6))));
     expect(await plot('volume').isVisible()).toBe(true);
+    const energies = await column('energy', 2);
+    expect(energies).toHaveLength(4);
+    expect(energies[3]).toBeLessThan(energies[0] as number);
+    const session = (await load()).make({ shape: 'torus', nu: 32, nv: 16, noise: 0.3, seed: 1 });
+    expect(energies[0]).toBe(Number(session.energy({ id: 'alexa-wardetzky', lambda: 1 }).toPrecision(6)));
     await chooseMesh(page, 'noisy-saddle');
     await page.getByRole('button', { name: 'Step', exact: true }).click();
     await shows(page, 'step', 1, 1);

@@ -139,6 +139,15 @@ val row(Session& session, Side side, Index vertex, val callback) {
     });
 }
 
+val energy(Session& session, Side side, val callback) {
+    return guarded([&]() -> Result<val> {
+        Tick tick(std::move(callback));
+        const auto energy = session.energy(side, tick.monitor());
+        if (!energy) return energy.error();
+        return val(*energy);
+    });
+}
+
 val face(const Session& session, Side side, Index number) {
     return guarded([&]() -> Result<val> {
         const auto face = session.face(side, number);
@@ -245,6 +254,7 @@ EMSCRIPTEN_BINDINGS(polylap_session) {
         .function("weights", &weights)
         .function("row", &row)
         .function("face", &face)
+        .function("energy", &energy)
         .function("smooth", &smooth)
         .function("stability", &stability)
         .function("harmonic", &harmonic)

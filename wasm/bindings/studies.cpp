@@ -26,6 +26,15 @@ val dual(Session& session, Side side, double mu, val callback) {
     });
 }
 
+val spectrum(Session& session, Side side, Index count, val callback) {
+    return guarded([&]() -> Result<val> {
+        Tick tick(std::move(callback));
+        const auto pairs = session.spectrum(side, count, tick.monitor());
+        if (!pairs) return pairs.error();
+        return array(pairs->values.data(), static_cast<std::size_t>(pairs->values.size()));
+    });
+}
+
 val convergence(const std::string& id, const val& settings, const val& vertex_weights, val callback) {
     return guarded([&]() -> Result<val> {
         const auto spec = spec_of(id, settings, vertex_weights);
@@ -46,5 +55,6 @@ EMSCRIPTEN_BINDINGS(polylap_studies) {
 
     function("check", &check);
     function("dual", &dual);
+    function("spectrum", &spectrum);
     function("convergence", &convergence);
 }

@@ -37,7 +37,7 @@ val operator_of(const OperatorInfo* info) {
     }
     return object(entry("id", std::string(info->id)), entry("label", std::string(info->label)),
                   entry("summary", std::string(info->summary)), entry("formulaLatex", std::string(info->formula_latex)),
-                  entry("citation", std::string(info->citation)),
+                  entry("citation", std::string(info->citation)), entry("bibtex", std::string(info->bibtex)),
                   entry("parameters", list(info->parameters, parameter_of)),
                   entry("takesVertexWeights", info->takes_vertex_weights), entry("claims", claims));
 }

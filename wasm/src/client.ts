@@ -238,6 +238,9 @@ class WorkerClient implements Client {
       harmonic: async (spec, fixed, run = {}) => ask('harmonic', { spec: ownOperator(spec), fixed }, runOf(run)),
       matrices: async (spec, run = {}) => ask('matrices', { spec: ownOperator(spec) }, runOf(run)),
       check: async (spec, run = {}) => ask('check', { spec: ownOperator(spec) }, runOf(run), { needsWhole: true }),
+      spectrum: async (spec, count, run = {}) =>
+        ask('spectrum', { spec: ownOperator(spec), count }, runOf(run), { needsWhole: true }),
+      energy: async (spec, run = {}) => ask('energy', { spec: ownOperator(spec) }, runOf(run)),
       dual: async (options = {}, run = {}) => ask('dual', { options }, runOf(run), { needsWhole: true }),
       file: async (format, run = {}) => ask('file', { format }, runOf(run), { needsWhole: true }),
       convert: async (conversion, given = {}) => {

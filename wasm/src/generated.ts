@@ -418,6 +418,7 @@ export const operators: readonly OperatorInfo[] = [
     summary: 'The graph Laplacian of the edges: every neighbour counts alike, wherever it lies.',
     formulaLatex: 'w_{ij} = 1',
     citation: 'G. Taubin: A signal processing approach to fair surface design. SIGGRAPH 1995; Herholz 2012, section 3.2',
+    bibtex: '@inproceedings{taubin1995,\n  author = {Gabriel Taubin},\n  title = {A signal processing approach to fair surface design},\n  booktitle = {Proceedings of the 22nd Annual Conference on Computer Graphics and Interactive Techniques (SIGGRAPH \'95)},\n  pages = {351--358},\n  year = {1995},\n  doi = {10.1145/218380.218473}\n}',
     parameters: [],
     takesVertexWeights: false,
     claims: {
@@ -462,6 +463,7 @@ export const operators: readonly OperatorInfo[] = [
     summary: 'The difference of each value from the mean of its neighbours along edges.',
     formulaLatex: 'w_{ij} = 1 / d_i',
     citation: 'W. T. Tutte: How to draw a graph. Proc. London Math. Soc. 13, 1963; Herholz 2012, section 3.2',
+    bibtex: '@article{tutte1963,\n  author = {William T. Tutte},\n  title = {How to draw a graph},\n  journal = {Proceedings of the London Mathematical Society},\n  volume = {s3-13},\n  number = {1},\n  pages = {743--767},\n  year = {1963},\n  doi = {10.1112/plms/s3-13.1.743}\n}',
     parameters: [],
     takesVertexWeights: false,
     claims: {
@@ -506,6 +508,7 @@ export const operators: readonly OperatorInfo[] = [
     summary: 'The graph Laplacian, scaled symmetrically by the numbers of neighbours.',
     formulaLatex: 'w_{ij} = 1 / \\sqrt{d_i d_j}',
     citation: 'F. Chung: Spectral graph theory. AMS 1997; Herholz 2012, section 3.2',
+    bibtex: '@book{chung1997,\n  author = {Fan R. K. Chung},\n  title = {Spectral graph theory},\n  series = {CBMS Regional Conference Series in Mathematics},\n  volume = {92},\n  publisher = {American Mathematical Society},\n  year = {1997},\n  doi = {10.1090/cbms/092}\n}',
     parameters: [],
     takesVertexWeights: false,
     claims: {
@@ -550,6 +553,7 @@ export const operators: readonly OperatorInfo[] = [
     summary: 'Linear finite elements on the triangles that the faces are cut into, in space.',
     formulaLatex: 'w_{ij} = \\tfrac12\\left(\\cot\\gamma_{ij} + \\cot\\gamma_{ji}\\right)',
     citation: 'U. Pinkall, K. Polthier: Computing discrete minimal surfaces and their conjugates. Experimental Mathematics 2(1), 1993; Herholz 2012, eq. 3.16',
+    bibtex: '@article{pinkall1993,\n  author = {Ulrich Pinkall and Konrad Polthier},\n  title = {Computing discrete minimal surfaces and their conjugates},\n  journal = {Experimental Mathematics},\n  volume = {2},\n  number = {1},\n  pages = {15--36},\n  year = {1993},\n  doi = {10.1080/10586458.1993.10504266}\n}',
     parameters: [
       {
         id: 'rule',
@@ -623,6 +627,7 @@ export const operators: readonly OperatorInfo[] = [
     summary: 'Dual over primal lengths, as for the cotan operator, with dual edges that weights of the vertices move.',
     formulaLatex: 'w_{ij} = \\sum_k \\frac{d_{ik} - d_{ij}\\cos\\gamma_i}{|e_{ij}|\\,\\sin\\gamma_i},\\; d_{ij} = \\frac{|e_{ij}|^2 + \\omega_i - \\omega_j}{2\\,|e_{ij}|}',
     citation: 'D. Glickenstein: A monotonicity property for weighted Delaunay triangulations. Discrete & Computational Geometry 38(4), 2007; Herholz 2012, eq. 3.24 and 3.25',
+    bibtex: '@article{glickenstein2007,\n  author = {David Glickenstein},\n  title = {A monotonicity property for weighted {D}elaunay triangulations},\n  journal = {Discrete \\& Computational Geometry},\n  volume = {38},\n  number = {4},\n  year = {2007}\n}',
     parameters: [
       {
         id: 'rule',
@@ -696,6 +701,7 @@ export const operators: readonly OperatorInfo[] = [
     summary: 'Edge vectors against the vector area of each face, stabilised by λ where they see nothing.',
     formulaLatex: 'S_f = \\delta^{\\mathrm T}\\Bigl(\\tfrac{1}{|a|}\\,B B^{\\mathrm T} + \\lambda\\, C C^{\\mathrm T}\\Bigr)\\delta',
     citation: 'M. Alexa, M. Wardetzky: Discrete Laplacians on general polygonal meshes. ACM Trans. Graph. 30(4), 2011; Herholz 2012, eq. 4.29',
+    bibtex: '@article{alexa2011,\n  author = {Marc Alexa and Max Wardetzky},\n  title = {Discrete {L}aplacians on general polygonal meshes},\n  journal = {ACM Transactions on Graphics},\n  volume = {30},\n  number = {4},\n  year = {2011},\n  doi = {10.1145/2010324.1964997}\n}',
     parameters: [
       {
         id: 'lambda',
@@ -752,6 +758,7 @@ export const operators: readonly OperatorInfo[] = [
     summary: 'Alexa and Wardetzky\'s operator with points on the edges that weights of the vertices move.',
     formulaLatex: 'S_f = \\delta^{\\mathrm T}\\Bigl(\\tfrac{1}{|a|}\\,B (B^w)^{\\mathrm T} + \\lambda\\, C C^{\\mathrm T}\\Bigr)\\delta,\\; b^w_i = x_i + \\tfrac{|e_i|^2 + \\omega_i - \\omega_{i+1}}{2|e_i|^2}\\, e_i',
     citation: 'P. Herholz: General discrete Laplace operators on polygonal meshes. Diploma thesis, Humboldt-Universität zu Berlin, 2012, Lemma 4 and eq. 4.31',
+    bibtex: '@mastersthesis{herholz2012,\n  author = {Philipp Herholz},\n  title = {General discrete {L}aplace operators on polygonal meshes},\n  type = {Diploma thesis},\n  school = {Humboldt-Universit{\\"a}t zu Berlin},\n  year = {2012}\n}',
     parameters: [
       {
         id: 'lambda',
@@ -808,6 +815,7 @@ export const operators: readonly OperatorInfo[] = [
     summary: 'Each face is projected along its vector area and triangulated there; the cotangents of its triangles are summed.',
     formulaLatex: 'w_{ij} = \\tfrac12\\left(\\cot\\gamma_{ij} + \\cot\\gamma_{ji}\\right)',
     citation: 'P. Herholz: General discrete Laplace operators on polygonal meshes. Diploma thesis, Humboldt-Universität zu Berlin, 2012, section 4.2.4',
+    bibtex: '@mastersthesis{herholz2012,\n  author = {Philipp Herholz},\n  title = {General discrete {L}aplace operators on polygonal meshes},\n  type = {Diploma thesis},\n  school = {Humboldt-Universit{\\"a}t zu Berlin},\n  year = {2012}\n}',
     parameters: [
       {
         id: 'rule',
@@ -866,6 +874,7 @@ export const operators: readonly OperatorInfo[] = [
     summary: 'Dual edges are made orthogonal to the edges, with dual vertices as near to the barycentres as that allows; a weight is the signed length of the dual edge over that of the edge.',
     formulaLatex: 'w_{ij} = \\frac{d_k + d_l}{|e_{ij}|},\\quad \\langle v_k - v_l,\\, e_{ij}\\rangle = 0,\\quad \\sum_k |v_k - b_k|^2 \\to \\min',
     citation: 'P. Herholz: General discrete Laplace operators on polygonal meshes. Diploma thesis, Humboldt-Universität zu Berlin, 2012, section 4.1',
+    bibtex: '@mastersthesis{herholz2012,\n  author = {Philipp Herholz},\n  title = {General discrete {L}aplace operators on polygonal meshes},\n  type = {Diploma thesis},\n  school = {Humboldt-Universit{\\"a}t zu Berlin},\n  year = {2012}\n}',
     parameters: [],
     takesVertexWeights: false,
     claims: {

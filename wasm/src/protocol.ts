@@ -53,6 +53,8 @@ export interface Calls {
   harmonic: { takes: OnSide & { spec: OperatorSpec; fixed: FixedValues }; gives: Harmonic };
   matrices: { takes: OnSide & { spec: OperatorSpec }; gives: Matrices };
   check: { takes: OnSide & { spec: OperatorSpec }; gives: Check };
+  spectrum: { takes: OnSide & { spec: OperatorSpec; count: number }; gives: Float64Array };
+  energy: { takes: OnSide & { spec: OperatorSpec }; gives: number };
   dual: { takes: OnSide & { options: DualOptions }; gives: Dual };
   file: { takes: OnSide & { format: MeshFormat }; gives: Uint8Array };
   /** The new mesh gets the number `made`. */

@@ -49,6 +49,7 @@ export interface RawSession {
   weights(side: RawSide, tick: Tick | undefined): Reply<Weights>;
   row(side: RawSide, vertex: number, tick: Tick | undefined): Reply<Row>;
   face(side: RawSide, face: number): Reply<FaceReport>;
+  energy(side: RawSide, tick: Tick | undefined): Reply<number>;
   smooth(side: RawSide, options: Required<SmoothOptions>, tick: Tick | undefined): Reply<void>;
   stability(side: RawSide, options: Required<SmoothOptions>, tick: Tick | undefined): Reply<Stability>;
   harmonic(side: RawSide, vertices: Int32Array, values: Float64Array, tick: Tick | undefined): Reply<Harmonic>;
@@ -84,6 +85,7 @@ export interface RawModule {
   convert?(session: RawSession, side: RawSide, id: string, settings: Settings): Reply<RawSession>;
   dual?(session: RawSession, side: RawSide, mu: number, tick: Tick | undefined): Reply<Dual>;
   check?(session: RawSession, side: RawSide, tick: Tick | undefined): Reply<Check>;
+  spectrum?(session: RawSession, side: RawSide, count: number, tick: Tick | undefined): Reply<Float64Array>;
   convergence?(
     id: string,
     settings: Settings,

@@ -122,6 +122,10 @@ class Server {
         return session.matrices(takes.spec, options);
       case 'check':
         return session.check(takes.spec, options);
+      case 'spectrum':
+        return session.spectrum(takes.spec, takes.count, options);
+      case 'energy':
+        return session.energy(takes.spec, options);
       case 'dual':
         return session.dual(takes.options, options);
       case 'file':

@@ -272,6 +272,18 @@ export class Session {
     return this.#apply(spec, options, (raw, side, tick) => check(raw, side, tick));
   }
 
+  /** The lowest eigenvalues of S x = μ M x, ascending. */
+  spectrum(spec: OperatorSpec, count: number, options: SyncOptions = {}): Float64Array {
+    const most = wholeNumber(count, 'the number of eigenvalues', 1);
+    const spectrum = whole(this.#module.spectrum);
+    return this.#apply(spec, options, (raw, side, tick) => spectrum(raw, side, most, tick));
+  }
+
+  /** Dirichlet energy of the side's surface, length². */
+  energy(spec: OperatorSpec, options: SyncOptions = {}): number {
+    return this.#apply(spec, options, (raw, side, tick) => raw.energy(side, tick));
+  }
+
   /** The orthogonal dual of the side's surface. */
   dual(how: DualOptions = {}, options: SyncOptions = {}): Dual {
     const mu = realNumber(fields(how, 'the options of the dual').mu ?? 0, 'mu');

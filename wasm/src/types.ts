@@ -58,6 +58,8 @@ export interface OperatorInfo {
   /** A `<math>` element. */
   readonly formulaMathml: string;
   readonly citation: string;
+  /** One entry; operators of the same work have the same. */
+  readonly bibtex: string;
   readonly parameters: readonly Parameter[];
   /** Whether a spec may have `vertexWeights`. */
   readonly takesVertexWeights: boolean;
@@ -415,6 +417,10 @@ export interface Mesh extends MeshInfo {
   matrices(spec: OperatorSpec, run?: RunOptions): Promise<Matrices>;
   /** The properties of an operator on the side's surface. */
   check(spec: OperatorSpec, run?: RunOptions): Promise<Check>;
+  /** The lowest eigenvalues of S x = μ M x, ascending, 1/length²; S must be symmetric and M diagonal. */
+  spectrum(spec: OperatorSpec, count: number, run?: RunOptions): Promise<Float64Array>;
+  /** Dirichlet energy of the side's surface, Σ xᵀ S x over its coordinates, length². */
+  energy(spec: OperatorSpec, run?: RunOptions): Promise<number>;
   /** The orthogonal dual of the side's surface. */
   dual(options?: DualOptions, run?: RunOptions): Promise<Dual>;
   /** The side's surface as a file; text but for STL. */

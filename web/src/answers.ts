@@ -14,17 +14,24 @@ const names = {
   face: 'face',
   stability: 'largest eigenvalue',
   check: 'properties',
+  spectrum: 'spectrum',
+  energy: 'energy',
   dual: 'orthogonal dual',
   shape: 'area and volume',
   study: 'convergence',
 };
 type Kind = Exclude<keyof typeof names, 'shape' | 'study'>;
-const kinds: readonly Kind[] = ['weights', 'harmonic', 'matrices', 'row', 'face', 'stability', 'check', 'dual'];
+const kinds = (Object.keys(names) as (keyof typeof names)[]).filter(
+  (name): name is Kind => name !== 'shape' && name !== 'study',
+);
 
 const labelOf = (side: Side, what: keyof typeof names) => `${side.toUpperCase()}: ${names[what]}`;
 
 /** Plots of matrices need all of them; on more vertices that is too much to copy for each touch of a slider. */
 export const plotLimit = 20_000;
+
+/** So many of the lowest eigenvalues are looked for. */
+const spectrumSize = 30;
 
 /** What an answer depends on. */
 interface Question {
@@ -71,6 +78,10 @@ export class Answers {
     if (task === 'check') ask.check(mesh);
     if (task === 'dual') ask.dual(mesh);
     this.stability(side);
+    if (task === 'smooth') ask.energy(mesh);
+    // It is of another operator or surface now, and takes long: asked for again when somebody wants it.
+    if (this.app.results.get()[side].spectrum && !this.isAnswered(side, 'spectrum'))
+      this.app.patch(mesh, side, { spectrum: null });
     if (task !== 'weights') return;
     if (mesh.vertices <= plotLimit) ask.matrices(mesh);
     this.row(side);
@@ -103,6 +114,12 @@ export class Answers {
     const { task, smooth } = this.app.state.get();
     if (!mesh || task !== 'smooth' || smooth.flow[side] !== 'explicit') return;
     if (!playing || mesh.vertices <= plotLimit) this.refreshers[side].stability(mesh);
+  }
+
+  /** The lowest eigenvalues of both operators. */
+  spectra(): void {
+    const { mesh } = this.app.results.get();
+    if (mesh) for (const side of sides) this.refreshers[side].spectrum(mesh);
   }
 
   /** What the selected face is to the side's operator. */
@@ -224,6 +241,19 @@ export class Answers {
       }
       case 'check':
         return { check: await mesh.check(spec, run) };
+      case 'spectrum': {
+        const asked = this.question(side, kind);
+        const spectrum = await mesh.spectrum(spec, spectrumSize, run);
+        // Nobody asks again when something else is on screen by then.
+        return same(asked, this.question(side, kind)) ? { spectrum } : null;
+      }
+      case 'energy': {
+        const { step, positions } = this.app.results.get()[side];
+        const energy = await mesh.energy(spec, run);
+        if (this.app.results.get()[side].positions !== positions) return null;
+        this.app.smoothing.trail.noteEnergy(step, side, energy);
+        return { energy: { step, value: energy } };
+      }
       case 'dual':
         return { dual: await this.dualOf(mesh, side, run) };
     }

@@ -1,4 +1,5 @@
 import type { App } from './app.js';
+import type { Mesh } from './polylap.js';
 import { known } from './results.js';
 import { largestWeight, rowsOf, weightsOf } from './rows.js';
 import { chain } from './scene/layers.js';
@@ -8,6 +9,11 @@ import { sides } from './state.js';
 
 /** So long, in ms, the marks wait for the numbers: those are there at once, while a frame of a large mesh can take a second. */
 const patience = 100;
+
+/** None where a state is of another mesh than the one on screen. */
+function cornersOf({ faces, geometry: { offsets, corners } }: Mesh, face: number): number[] {
+  return face < faces ? [...corners.subarray(offsets[face], offsets[face + 1])] : [];
+}
 
 /** What is selected, on the meshes: the vertex, its row as spokes, and the face. @param showMarks draws the marks of vertices */
 export function bindSelection(app: App, viewer: Viewer, showMarks: () => void): void {
@@ -27,11 +33,8 @@ export function bindSelection(app: App, viewer: Viewer, showMarks: () => void): 
           ? spokes(row, weightsOf(rows[side], selected), largest, viewer.meanEdge)
           : { spokes: null, minusSpokes: null, minuses: null };
       for (const name of ['spokes', 'minusSpokes', 'minuses'] as const) viewer.setLayer(side, name, drawn[name]);
-      const { offsets, corners } = results.mesh?.geometry ?? {};
       const face =
-        task === 'weights' && selectedFace !== null && offsets
-          ? [...(corners?.subarray(offsets[selectedFace], offsets[selectedFace + 1]) ?? [])]
-          : [];
+        results.mesh && task === 'weights' && selectedFace !== null ? cornersOf(results.mesh, selectedFace) : [];
       viewer.setLayer(
         side,
         'face',

@@ -4,7 +4,7 @@ import type { App } from './app.js';
 import { csv, matrixMarket } from './numbers-text.js';
 import type { MeshFormat, Side } from './polylap.js';
 import { known } from './results.js';
-import { nameOf, operatorOf, sides } from './state.js';
+import { nameOf, operatorOf, type State, sides } from './state.js';
 
 export interface SavedFile {
   name: string;
@@ -61,6 +61,12 @@ export function rowFile(app: App): SavedFile | null {
   return text(`${stem(app)}-row-${selected}.csv`, csv(['column', 'S_A', 'S_B'], lines));
 }
 
+/** The works that the operators of both sides come from, as BibTeX. */
+export const bibliography = ({ sides: choices }: State): string =>
+  [...new Set(sides.map((side) => operatorOf(choices[side]).bibtex))].join('\n\n');
+
+export const bibliographyFile = (app: App): SavedFile => text('polylap.bib', `${bibliography(app.state.get())}\n`);
+
 /** Per vertex, what the surfaces and the harmonic functions are; null without a mesh. */
 export function valuesFile(app: App): SavedFile | null {
   const { mesh, a, b } = app.results.get();
@@ -81,7 +87,7 @@ export function valuesFile(app: App): SavedFile | null {
 
 /** The rows of the selected vertex as they are drawn; null where none is. */
 export function stencilFile(app: App, side: Side): SavedFile | null {
-  const drawn = document.querySelectorAll<SVGSVGElement>('.stencils svg')[sides.indexOf(side)];
+  const drawn = document.querySelectorAll<SVGSVGElement>('.row .stencils svg')[sides.indexOf(side)];
   const { selected } = app.state.get();
   return drawn && selected !== null ? text(`${stem(app)}-vertex-${selected}-${side}.svg`, standalone(drawn)) : null;
 }

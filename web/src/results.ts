@@ -34,7 +34,11 @@ export interface SideResults {
   /** Of the selected face; the same. */
   face: (FaceReport & { face: number }) | string | null;
   check: Check | string | null;
+  /** The lowest eigenvalues, once somebody has asked for them. */
+  spectrum: Float64Array | string | null;
   dual: Dual | string | null;
+  /** Dirichlet energy of the surface after a step. */
+  energy: { readonly step: number; readonly value: number } | string | null;
   /** Of the operator, on meshes of the study's own. */
   study: readonly ConvergenceStudy[] | string | null;
 }
@@ -99,7 +103,9 @@ export function freshSide(positions: Float32Array = new Float32Array(0)): SideRe
     row: null,
     face: null,
     check: null,
+    spectrum: null,
     dual: null,
+    energy: null,
     study: null,
   };
 }

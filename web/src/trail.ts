@@ -11,6 +11,7 @@ export type Marks = Readonly<Record<Side, Shape>>;
 export class Trail {
   private readonly kept = new Map<number, Surfaces>();
   private readonly stats = new Map<number, Marks>();
+  private readonly energies = new Map<number, Partial<Record<Side, number>>>();
   private bytes = 0;
 
   /** @param most bytes; beyond, every other surface is forgotten, the last one never */
@@ -19,7 +20,8 @@ export class Trail {
   /** Forgets all that comes after a step. */
   cut(step: number): void {
     for (const later of [...this.kept.keys()]) if (later > step) this.forget(later);
-    for (const later of [...this.stats.keys()]) if (later > step) this.stats.delete(later);
+    for (const known of [this.stats, this.energies])
+      for (const later of [...known.keys()]) if (later > step) known.delete(later);
   }
 
   clear(): void {
@@ -37,6 +39,15 @@ export class Trail {
 
   at(step: number): Surfaces | undefined {
     return this.kept.get(step);
+  }
+
+  /** What comes after a step is measured, and told of later. */
+  noteEnergy(step: number, side: Side, energy: number): void {
+    this.energies.set(step, { ...this.energies.get(step), [side]: energy });
+  }
+
+  energy(step: number, side: Side): number | null {
+    return this.energies.get(step)?.[side] ?? null;
   }
 
   marks(step: number): Marks | undefined {

@@ -19,6 +19,7 @@
 #include "polylap/mesh/topology.hpp"
 #include "polylap/operators/dual_vertices.hpp"
 #include "polylap/operators/operator.hpp"
+#include "polylap/solve/eigenpairs.hpp"
 
 namespace polylap {
 
@@ -157,6 +158,15 @@ public:
     /// The properties of the side's operator on its surface; valid until the next call.
     /// @error see build_operator
     Result<const PropertyReport*> check(Side side, Monitor monitor = {});
+
+    /// The lowest eigenpairs of S x = μ M x of the side's operator on its surface, see lowest_eigenpairs.
+    /// @error bad_argument (S is not symmetric or M not diagonal), see build_operator and lowest_eigenpairs
+    Result<Eigenpairs> spectrum(Side side, Index count, Monitor monitor = {});
+
+    /// Dirichlet energy of the side's surface: Σ xᵀ S x over its coordinates x about origin(), length²; of linear
+    /// finite elements twice the area.
+    /// @error see build_operator
+    Result<double> energy(Side side, Monitor monitor = {});
 
     /// The orthogonal dual of the side's surface.
     /// @error see orthogonal_dual

@@ -33,6 +33,15 @@ constinit const OperatorInfo alexa_wardetzky_info{
     .citation =
         "M. Alexa, M. Wardetzky: Discrete Laplacians on general polygonal meshes. ACM Trans. Graph. 30(4), 2011; "
         "Herholz 2012, eq. 4.29",
+    .bibtex = R"(@article{alexa2011,
+  author = {Marc Alexa and Max Wardetzky},
+  title = {Discrete {L}aplacians on general polygonal meshes},
+  journal = {ACM Transactions on Graphics},
+  volume = {30},
+  number = {4},
+  year = {2011},
+  doi = {10.1145/2010324.1964997}
+})",
     .summary = "Edge vectors against the vector area of each face, stabilised by λ where they see nothing.",
     .parameters = parameters,
     .sum_over_faces = true,

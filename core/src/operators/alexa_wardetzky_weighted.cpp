@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "operators/bibliography.hpp"
 #include "operators/edge_gradient.hpp"
 #include "operators/vertex_weights.hpp"
 
@@ -109,6 +110,7 @@ constinit const OperatorInfo alexa_wardetzky_weighted_info{
     .citation =
         "P. Herholz: General discrete Laplace operators on polygonal meshes. Diploma thesis, Humboldt-Universität zu "
         "Berlin, 2012, Lemma 4 and eq. 4.31",
+    .bibtex = herholz_2012,
     .summary = "Alexa and Wardetzky's operator with points on the edges that weights of the vertices move.",
     .parameters = parameters,
     .takes_vertex_weights = true,

@@ -20,6 +20,16 @@ constinit const OperatorInfo cotan_info{
     .citation =
         "U. Pinkall, K. Polthier: Computing discrete minimal surfaces and their conjugates. Experimental Mathematics "
         "2(1), 1993; Herholz 2012, eq. 3.16",
+    .bibtex = R"(@article{pinkall1993,
+  author = {Ulrich Pinkall and Konrad Polthier},
+  title = {Computing discrete minimal surfaces and their conjugates},
+  journal = {Experimental Mathematics},
+  volume = {2},
+  number = {1},
+  pages = {15--36},
+  year = {1993},
+  doi = {10.1080/10586458.1993.10504266}
+})",
     .summary = "Linear finite elements on the triangles that the faces are cut into, in space.",
     .parameters = triangulated_parameters,
     .sum_over_faces = true,

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "operators/bibliography.hpp"
 #include "operators/sparse_pattern.hpp"
 
 namespace polylap {
@@ -33,6 +34,7 @@ constinit const OperatorInfo orthogonal_dual_info{
     .citation =
         "P. Herholz: General discrete Laplace operators on polygonal meshes. Diploma thesis, Humboldt-Universität zu "
         "Berlin, 2012, section 4.1",
+    .bibtex = herholz_2012,
     .summary =
         "Dual edges are made orthogonal to the edges, with dual vertices as near to the barycentres as that allows; a "
         "weight is the signed length of the dual edge over that of the edge.",

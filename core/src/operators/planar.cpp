@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "operators/bibliography.hpp"
 #include "operators/triangle_sum.hpp"
 #include "polylap/face/triangulate_mesh.hpp"
 
@@ -46,6 +47,7 @@ constinit const OperatorInfo planar_info{
     .citation =
         "P. Herholz: General discrete Laplace operators on polygonal meshes. Diploma thesis, Humboldt-Universität zu "
         "Berlin, 2012, section 4.2.4",
+    .bibtex = herholz_2012,
     .summary =
         "Each face is projected along its vector area and triangulated there; the cotangents of its triangles are "
         "summed.",

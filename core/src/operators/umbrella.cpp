@@ -25,6 +25,14 @@ constinit const OperatorInfo umbrella_info{
     .formula_latex = R"(w_{ij} = 1)",
     .citation =
         "G. Taubin: A signal processing approach to fair surface design. SIGGRAPH 1995; Herholz 2012, section 3.2",
+    .bibtex = R"(@inproceedings{taubin1995,
+  author = {Gabriel Taubin},
+  title = {A signal processing approach to fair surface design},
+  booktitle = {Proceedings of the 22nd Annual Conference on Computer Graphics and Interactive Techniques (SIGGRAPH '95)},
+  pages = {351--358},
+  year = {1995},
+  doi = {10.1145/218380.218473}
+})",
     .summary = "The graph Laplacian of the edges: every neighbour counts alike, wherever it lies.",
     .parameters = {},
     .claims = {.symmetric = {Claim::yes, "an edge has the same weight from both ends"},

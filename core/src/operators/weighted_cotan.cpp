@@ -23,6 +23,14 @@ constinit const OperatorInfo weighted_cotan_info{
     .citation =
         "D. Glickenstein: A monotonicity property for weighted Delaunay triangulations. Discrete & Computational "
         "Geometry 38(4), 2007; Herholz 2012, eq. 3.24 and 3.25",
+    .bibtex = R"(@article{glickenstein2007,
+  author = {David Glickenstein},
+  title = {A monotonicity property for weighted {D}elaunay triangulations},
+  journal = {Discrete \& Computational Geometry},
+  volume = {38},
+  number = {4},
+  year = {2007}
+})",
     .summary =
         "Dual over primal lengths, as for the cotan operator, with dual edges that weights of the vertices move.",
     .parameters = triangulated_parameters,

@@ -6,6 +6,7 @@ import { sides } from '../state.js';
 import { button, menu } from './controls.js';
 import { convergenceSection } from './convergence-section.js';
 import { propertyTable } from './property-table.js';
+import { spectrumSection } from './spectrum-section.js';
 import { sideTable } from './table.js';
 
 /** The properties of both operators on the mesh at hand: what they claim, what is measured. */
@@ -26,6 +27,7 @@ export function checkPanel(app: App): HTMLElement {
     propertyTable(app),
     h('section', {}, h('h2', {}, 'Numbers'), numbers(app), trouble, again),
     kernelModes(app),
+    spectrumSection(app),
     convergenceSection(app),
   );
 }

@@ -1,6 +1,8 @@
 import type { App } from '../app.js';
 import { h } from '../dom.js';
 import {
+  bibliography,
+  bibliographyFile,
   matrixFile,
   pictureName,
   rowFile,
@@ -70,6 +72,19 @@ export function exportDialog(app: App, photograph: Photographer): HTMLDialogElem
       difference.hidden = !open && shown !== 'delta';
     },
   );
+  const entries = h('textarea', {
+    class: 'bibtex',
+    readonly: true,
+    rows: 5,
+    'aria-label': 'BibTeX',
+    spellcheck: 'false',
+  });
+  app.state.watch(
+    (state) => [state.sides.a.operator, state.sides.b.operator],
+    () => {
+      entries.value = bibliography(app.state.get());
+    },
+  );
   const dialog = h(
     'dialog',
     { class: 'dialog', 'aria-labelledby': 'export-title' },
@@ -93,6 +108,25 @@ export function exportDialog(app: App, photograph: Photographer): HTMLDialogElem
       saver('M, MatrixMarket', 'mass', () => matrixFile(app, chosen(), 'mass')),
       saver('Row of the vertex, CSV', 'row', () => rowFile(app), noRow),
       saver('Positions and values, CSV', 'values', () => valuesFile(app)),
+    ),
+    section(
+      'Cite the operators of A and B',
+      entries,
+      button(
+        'Copy',
+        () =>
+          void navigator.clipboard.writeText(entries.value).then(
+            () => {
+              done.textContent = 'Copied.';
+            },
+            () => {
+              entries.select();
+              said.textContent = 'The browser does not let the page copy: the entries are selected, copy them by hand.';
+            },
+          ),
+        { 'data-action': 'copy-bibtex' },
+      ),
+      saver('BibTeX', 'bibtex', () => bibliographyFile(app)),
     ),
     said,
     done,

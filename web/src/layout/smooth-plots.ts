@@ -6,10 +6,25 @@ import { figure } from '../plots/figure.js';
 import type { Shape, Side } from '../polylap.js';
 import { sides } from '../state.js';
 
-const measures: readonly { name: string; title: string; of: (shape: Shape) => number | null }[] = [
-  { name: 'non-planarity', title: 'Mean non-planarity', of: ({ meanNonPlanarity }) => meanNonPlanarity },
-  { name: 'area', title: 'Area', of: ({ area }) => area },
-  { name: 'volume', title: 'Volume', of: ({ volume }) => volume },
+const ofShape = (pick: (shape: Shape) => number | null) => (app: App, step: number, side: Side) => {
+  const marks = app.smoothing.marks(step);
+  return marks ? pick(marks[side]) : null;
+};
+
+/** What is known of a side after a step; null where nothing is. */
+const measures: readonly {
+  name: string;
+  title: string;
+  of: (app: App, step: number, side: Side) => number | null;
+}[] = [
+  { name: 'non-planarity', title: 'Mean non-planarity', of: ofShape(({ meanNonPlanarity }) => meanNonPlanarity) },
+  { name: 'area', title: 'Area', of: ofShape(({ area }) => area) },
+  { name: 'volume', title: 'Volume', of: ofShape(({ volume }) => volume) },
+  {
+    name: 'energy',
+    title: 'Dirichlet energy of the surface',
+    of: (app, step, side) => app.smoothing.trail.energy(step, side),
+  },
 ];
 
 /** How the surfaces change over the steps: A solid, B dashed. */
@@ -27,13 +42,12 @@ export function smoothPlots(app: App): HTMLElement {
     const steps = stepsOf(moves);
     element.hidden = steps === 0;
     if (steps === 0) return;
-    const taken = Array.from({ length: steps + 1 }, (_, k) => ({ k, marks: app.smoothing.marks(k) }));
     measures.forEach(({ title, of }, m) => {
-      const at = (k: number, side: Side) => {
-        const marks = taken[k]?.marks;
-        return marks ? of(marks[side]) : null;
-      };
-      const rows = taken.map(({ k }): (number | null)[] => [k, at(k, 'a'), at(k, 'b')]);
+      const rows = Array.from({ length: steps + 1 }, (_, k): (number | null)[] => [
+        k,
+        of(app, k, 'a'),
+        of(app, k, 'b'),
+      ]);
       const series = sides.map((side, s) => ({
         name: side,
         dashed: side === 'b',
@@ -52,6 +66,6 @@ export function smoothPlots(app: App): HTMLElement {
     });
   };
   app.state.watch((state) => [state.moves, state.step, state.task], show);
-  app.results.watch(({ a, b }) => [a.shape, b.shape], show);
+  app.results.watch(({ a, b }) => [a.shape, b.shape, a.energy, b.energy], show);
   return element;
 }

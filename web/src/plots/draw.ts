@@ -41,6 +41,27 @@ export function bars(bins: readonly Bin[]): SVGSVGElement {
 
 /** Lines over whole numbers; with a mark at the place that is shown. */
 export function lines(given: readonly Line[], at: number | null): SVGSVGElement {
+  return overNumbers(given, (svg, { name, points, dashed }, x, y) => {
+    const path = points.map(([px, py]) => `${x(px).toFixed(1)},${y(py).toFixed(1)}`).join(' ');
+    svg.append(shape('polyline', { points: path, class: dashed ? 'series dashed' : 'series' }));
+    const end = points.find(([px]) => px === at) ?? points.at(-1);
+    if (end)
+      svg.append(shape('circle', { cx: x(end[0]), cy: y(end[1]), r: 2.5, class: 'series-end', 'data-name': name }));
+  });
+}
+
+/** Dots over whole numbers: full ones, and hollow ones for what lines would dash. */
+export function dots(given: readonly Line[]): SVGSVGElement {
+  return overNumbers(given, (svg, { points, dashed }, x, y) => {
+    for (const [px, py] of points)
+      svg.append(shape('circle', { cx: x(px), cy: y(py), r: dashed ? 3.5 : 2, class: dashed ? 'dot hollow' : 'dot' }));
+  });
+}
+
+function overNumbers(
+  given: readonly Line[],
+  draw: (svg: SVGSVGElement, line: Line, x: Scale, y: Scale) => void,
+): SVGSVGElement {
   const svg = canvas();
   const all = given.flatMap(({ points }) => points);
   if (all.length === 0) return svg;
@@ -55,13 +76,7 @@ export function lines(given: readonly Line[], at: number | null): SVGSVGElement 
     svg.append(shape('line', { x1: left, x2: width - frame.right, y1: y(tick), y2: y(tick), class: 'grid' }));
     svg.append(label(exact(tick), left - 4, y(tick) + 4, 'end'));
   }
-  for (const { name, points, dashed } of given) {
-    const path = points.map(([px, py]) => `${x(px).toFixed(1)},${y(py).toFixed(1)}`).join(' ');
-    svg.append(shape('polyline', { points: path, class: dashed ? 'series dashed' : 'series' }));
-    const end = points.find(([px]) => px === at) ?? points.at(-1);
-    if (end)
-      svg.append(shape('circle', { cx: x(end[0]), cy: y(end[1]), r: 2.5, class: 'series-end', 'data-name': name }));
-  }
+  for (const line of given) draw(svg, line, x, y);
   axis(svg, x, 0, Math.max(...xs, 1), (tick) => Number.isInteger(tick));
   return svg;
 }

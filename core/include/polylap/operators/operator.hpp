@@ -99,6 +99,7 @@ struct OperatorInfo {
     const char* label;
     const char* formula_latex;  ///< For people, of the face or of the weight.
     const char* citation;
+    const char* bibtex;   ///< One entry; those that cite the same work have the same.
     const char* summary;  ///< One sentence.
     std::span<const Parameter> parameters;
     bool takes_vertex_weights = false;
