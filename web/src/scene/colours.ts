@@ -5,6 +5,7 @@ const names = {
   lit: '--mesh-lit',
   shade: '--mesh-shade',
   edge: '--mesh-edge',
+  spoke: '--mesh-spoke',
   negative: '--negative',
   ink: '--ink',
   card: '--card',

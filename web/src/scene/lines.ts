@@ -83,7 +83,7 @@ export interface Segments {
 }
 
 export interface Stroke {
-  ink: 'negative' | 'accent' | 'ink';
+  ink: 'negative' | 'accent' | 'spoke';
   dashed: boolean;
   /** In CSS pixels. */
   width: number;

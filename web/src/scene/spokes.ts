@@ -18,7 +18,7 @@ export function spokes(
 ): Record<'spokes' | 'minusSpokes' | 'minuses', Layer | null> {
   const weightOf = (segment: number) => weights.get(row.columns[row.segmentPairs[segment] as number] as number) ?? 0;
   const all = [...row.segmentPairs.keys()];
-  const lines = (chosen: number[], ink: 'ink' | 'negative', least: number) =>
+  const lines = (chosen: number[], ink: 'spoke' | 'negative', least: number) =>
     chosen.length === 0
       ? null
       : new Lines(
@@ -41,7 +41,7 @@ export function spokes(
   return {
     spokes: lines(
       all.filter((s) => weightOf(s) > 0),
-      'ink',
+      'spoke',
       thinnest,
     ),
     minusSpokes: lines(negative, 'negative', thinnestDashed),

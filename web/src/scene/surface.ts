@@ -111,7 +111,7 @@ void main() {
   colour = vec4(mix(surface, drawnEdge, line), 1.0);
 }`;
 
-export type Colours = Record<'lit' | 'shade' | 'edge' | 'negative' | 'ink' | 'card' | 'accent', Vector3>;
+export type Colours = Record<'lit' | 'shade' | 'edge' | 'spoke' | 'negative' | 'ink' | 'card' | 'accent', Vector3>;
 
 /** One side's surface. */
 export class Surface {
