@@ -161,6 +161,36 @@ describe('in the page', () => {
     expect(await entries.inputValue()).toBe(bibtexOf('planar'));
   });
 
+  it('saves the row and its drawing in any task, of the vertex selected there', async () => {
+    const { page } = at;
+    await page.getByRole('button', { name: 'Close' }).click();
+    await page.getByRole('tab', { name: 'Harmonic' }).click();
+    await page.getByRole('tabpanel').getByLabel('Vertex', { exact: true }).fill('37');
+    await page.keyboard.press('Enter');
+    await page.getByRole('button', { name: 'Save…' }).click();
+    const row = await saved(page, 'row');
+    expect(row.name).toBe('noisy-torus-row-37.csv');
+    const own = row.contents
+      .toString()
+      .split('\n')
+      .find((line) => line.startsWith('37,'));
+    const drawing = await saved(page, 'svg');
+    expect(drawing.name).toBe('noisy-torus-vertex-37-b.svg');
+    expect(drawing.contents.toString()).toMatch(/stroke="rgb/);
+    await page.getByRole('button', { name: 'Close' }).click();
+    await page.getByRole('tab', { name: 'Weights' }).click();
+    await page.waitForFunction(() => {
+      const { row: there } = globalThis.polylap.results().b;
+      return there && typeof there !== 'string' && there.vertex === 37;
+    });
+    const diagonal = await page.evaluate(() => {
+      const { row: there } = globalThis.polylap.results().b;
+      return there && typeof there !== 'string' ? there.values[[...there.columns].indexOf(37)] : undefined;
+    });
+    expect(Number(own?.split(',')[2])).toBe(diagonal);
+    await page.getByRole('button', { name: 'Save…' }).click();
+  });
+
   it('says what is missing', async () => {
     const { page } = at;
     await page.getByRole('button', { name: 'Close' }).click();

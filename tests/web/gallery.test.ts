@@ -138,6 +138,20 @@ describe('an entry', () => {
     expect(await readout(page, 'smallest', 'a')).toBeCloseTo(-0.2006, 4);
   });
 
+  it('with a vertex weight does what its card says', async () => {
+    const { page } = at;
+    await choose(page, 'power-weights');
+    const before = await readout(page, 'negative', 'a');
+    expect(before).toBe(await readout(page, 'negative', 'b'));
+    await page.getByRole('textbox', { name: 'Weight ω of the vertex on A, value' }).fill('0.1');
+    await page.waitForFunction((was) => {
+      const { weights } = globalThis.polylap.results().a;
+      return weights && typeof weights !== 'string' && weights.negativeOrdered > was;
+    }, before);
+    await page.getByRole('tab', { name: 'Check' }).click();
+    await page.locator('[data-property=linearPrecision] [data-of=a] [data-verdict=holds]').waitFor();
+  });
+
   it('is one change to undo, and to do again', async () => {
     const { page } = at;
     await page.getByLabel('Operator of B').selectOption('umbrella');

@@ -239,6 +239,12 @@ describe('what leaves the range', () => {
     expect(await page.locator('[data-readout=min][data-of=b]').textContent()).toBe('0');
     expect(await readout(page, 'min', 'a')).toBeLessThan(-0.2);
     await picture(page, 'pins-hatched');
+    // The legend has its most words now: on a phone they wrap.
+    for (const width of [390, 320]) {
+      await page.setViewportSize({ width, height: 844 });
+      expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
+    }
+    await page.setViewportSize({ width: 1440, height: 900 });
     // Another loaded range changes the colours; what is hatched stays so with one colour everywhere.
     const before = await hatched('a');
     await page.getByLabel('λ of A, value').fill('0.5');

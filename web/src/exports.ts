@@ -1,9 +1,12 @@
 /** What can be taken away from the page, each as a file. */
 import { specOf } from './answers.js';
 import type { App } from './app.js';
+import { h } from './dom.js';
+import { stencil } from './layout/stencil.js';
 import { csv, matrixMarket } from './numbers-text.js';
-import type { MeshFormat, Side } from './polylap.js';
+import type { MeshFormat, Row, Side } from './polylap.js';
 import { known } from './results.js';
+import { drawnWeights, entriesOf, largestWeight } from './rows.js';
 import { nameOf, operatorOf, type State, sides } from './state.js';
 
 export interface SavedFile {
@@ -49,16 +52,28 @@ export async function matrixFile(app: App, side: Side, which: 'stiffness' | 'mas
   return text(`${stem(app)}-${side}-${letter}.mtx`, matrixMarket(matrices[which], comment));
 }
 
-/** The row of the selected vertex on both sides; null where no row is known. */
-export function rowFile(app: App): SavedFile | null {
-  const { selected } = app.state.get();
-  const { a, b } = app.results.get();
-  const rows = [known(a.row), known(b.row)].map((row) => (row?.vertex === selected ? row : null));
-  if (selected === null || rows.includes(null)) return null;
-  const [one, other] = rows.map((row) => new Map([...(row?.columns ?? [])].map((j, k) => [j, row?.values[k] ?? 0])));
+/** The rows of the selected vertex, whatever is on screen; null where none is selected. */
+async function selectedRows(app: App): Promise<{ vertex: number; rows: Record<Side, Row> } | null> {
+  const mesh = meshOf(app);
+  const { selected: vertex, sides: choices, vertexWeights } = app.state.get();
+  if (vertex === null) return null;
+  const [a, b] = await Promise.all(
+    sides.map((side) => mesh.row(specOf(choices[side], vertexWeights[side], mesh.vertices), vertex, { side })),
+  );
+  return a && b ? { vertex, rows: { a, b } } : null;
+}
+
+/** The row of the selected vertex on both sides; null where none is. */
+export async function rowFile(app: App): Promise<SavedFile | null> {
+  const asked = await selectedRows(app);
+  if (!asked) return null;
+  const [one, other] = sides.map((side) => {
+    const { columns, values } = asked.rows[side];
+    return new Map([...columns].map((j, k) => [j, values[k] ?? 0]));
+  });
   const columns = [...new Set([...(one?.keys() ?? []), ...(other?.keys() ?? [])])].sort((p, q) => p - q);
   const lines = columns.map((j) => [j, one?.get(j) ?? 0, other?.get(j) ?? 0]);
-  return text(`${stem(app)}-row-${selected}.csv`, csv(['column', 'S_A', 'S_B'], lines));
+  return text(`${stem(app)}-row-${asked.vertex}.csv`, csv(['column', 'S_A', 'S_B'], lines));
 }
 
 /** The works that the operators of both sides come from, as BibTeX. */
@@ -85,11 +100,23 @@ export function valuesFile(app: App): SavedFile | null {
   return text(`${stem(app)}-values.csv`, csv(head, rows));
 }
 
-/** The rows of the selected vertex as they are drawn; null where none is. */
-export function stencilFile(app: App, side: Side): SavedFile | null {
-  const drawn = document.querySelectorAll<SVGSVGElement>('.row .stencils svg')[sides.indexOf(side)];
-  const { selected } = app.state.get();
-  return drawn && selected !== null ? text(`${stem(app)}-vertex-${selected}-${side}.svg`, standalone(drawn)) : null;
+/** The row of the selected vertex as Weights draws it; null where none is selected. */
+export async function stencilFile(app: App, side: Side): Promise<SavedFile | null> {
+  const asked = await selectedRows(app);
+  if (!asked) return null;
+  const { vertex } = asked;
+  const rows = { a: entriesOf(asked.rows.a, vertex), b: entriesOf(asked.rows.b, vertex) };
+  const { positions } = app.results.get()[side];
+  const weights = drawnWeights(rows[side], vertex);
+  const drawn = stencil(meshOf(app).geometry, positions, vertex, weights, largestWeight(rows, vertex));
+  // Styles are known only of what is in the document.
+  const place = h('div', { class: 'unseen', 'aria-hidden': 'true' }, drawn);
+  document.body.append(place);
+  try {
+    return text(`${stem(app)}-vertex-${vertex}-${side}.svg`, standalone(drawn));
+  } finally {
+    place.remove();
+  }
 }
 
 const styled = ['fill', 'stroke', 'stroke-width', 'stroke-dasharray', 'stroke-linecap', 'stroke-linejoin', 'font'];

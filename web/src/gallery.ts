@@ -80,7 +80,7 @@ const figures: readonly Entry[] = [
   {
     id: 'maximum-principle',
     label: 'The maximum principle fails',
-    look: 'One corner is 1, the rest of the rim 0. A dips below 0 inside; at λ = ½ it stops, as B never does.',
+    look: 'One corner is 1, the rest of the rim 0. A dips below 0 inside; at λ = ½ the dip is gone. B has none.',
     source: preset('grid-8'),
     figure: ({ harmonic }) => ({
       task: 'harmonic',
@@ -125,7 +125,8 @@ const figures: readonly Entry[] = [
     source: preset('quad'),
     figure: () => ({
       sides: { a: choice('planar', { rule: 'fan' }), b: choice('planar') },
-      selected: 0,
+      // On the cut of B.
+      selected: 1,
       selectedFace: 0,
     }),
   },
@@ -139,8 +140,8 @@ const figures: readonly Entry[] = [
   },
   {
     id: 'power-weights',
-    label: 'Power weights move the dual',
-    look: 'A vertex with weight ω pushes the dual edges around it away: its row changes, linear functions stay harmonic.',
+    label: 'Vertex weights change the row',
+    look: 'A weight ω at a vertex changes the weights of its edges (drag it); linear functions stay harmonic, and large ω turns weights negative.',
     place: 'Fig. 3.5',
     source: {
       kind: 'shape',

@@ -12,11 +12,11 @@ export type Entries = ReadonlyMap<number, number>;
 export function rowsOf({ a, b }: Results, vertex: number | null): Record<Side, Entries> | null {
   const [one, other] = [known(a.row), known(b.row)];
   if (vertex === null || one?.vertex !== vertex || other?.vertex !== vertex) return null;
-  return { a: entriesOf(one), b: entriesOf(other) };
+  return { a: entriesOf(one, vertex), b: entriesOf(other, vertex) };
 }
 
 /** What is only rounding beside the diagonal is 0. */
-function entriesOf({ columns, values, vertex }: Row & { vertex: number }): Entries {
+export function entriesOf({ columns, values }: Row, vertex: number): Entries {
   const row = new Map([...columns].map((j, k) => [j, values[k] as number]));
   const least = rounding * Math.abs(row.get(vertex) ?? 0);
   for (const [j, entry] of row) if (Math.abs(entry) <= least) row.set(j, 0);
@@ -32,6 +32,10 @@ export function rowSum(row: Entries, vertex: number): number {
 /** j → w_ij = −S_ij, of the others that have a weight. */
 export const weightsOf = (row: Entries, vertex: number): Entries =>
   new Map([...row].filter(([j, entry]) => j !== vertex && entry !== 0).map(([j, entry]) => [j, -entry]));
+
+/** The same, and 0 for the others that the row has. */
+export const drawnWeights = (row: Entries, vertex: number): Entries =>
+  new Map([...[...row.keys()].filter((j) => j !== vertex).map((j) => [j, 0] as const), ...weightsOf(row, vertex)]);
 
 /** What both sides' spokes are drawn in proportion to. */
 export const largestWeight = (rows: Record<Side, Entries>, vertex: number): number =>

@@ -64,7 +64,7 @@ export function exportDialog(app: App, photograph: Photographer): HTMLDialogElem
     const heading = h('h3', { id: newId('export') }, title);
     return h('section', { 'aria-labelledby': heading.id }, heading, h('div', { class: 'buttons' }, ...children));
   };
-  const noRow = 'There is no row to save: select a vertex in Weights first.';
+  const noRow = 'There is no row to save: select a vertex first.';
   const difference = saver('Picture of the difference', 'png-delta', () => shoot('delta'));
   app.state.watch(
     (state) => [state.delta.open, state.shown],

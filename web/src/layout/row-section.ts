@@ -2,7 +2,7 @@ import type { App } from '../app.js';
 import { h } from '../dom.js';
 import { count, weight } from '../format.js';
 import type { Mesh, Side } from '../polylap.js';
-import { type Entries, largestWeight, rowSum, rowsOf, weightsOf } from '../rows.js';
+import { drawnWeights, type Entries, largestWeight, rowSum, rowsOf } from '../rows.js';
 import { sides } from '../state.js';
 import { stencil } from './stencil.js';
 
@@ -37,8 +37,7 @@ function stencils(app: App, mesh: Mesh, vertex: number, rows: Record<Side, Entri
     { class: 'stencils' },
     ...sides.map((side) => {
       const figure = h('figure', {}, h('figcaption', {}, side.toUpperCase()));
-      const weights = new Map([...rows[side].keys()].filter((j) => j !== vertex).map((j) => [j, 0]));
-      for (const [j, w] of weightsOf(rows[side], vertex)) weights.set(j, w);
+      const weights = drawnWeights(rows[side], vertex);
       figure.prepend(stencil(mesh.geometry, app.results.get()[side].positions, vertex, weights, largest));
       return figure;
     }),
