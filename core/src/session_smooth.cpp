@@ -26,7 +26,7 @@ Result<std::shared_ptr<const OperatorMatrices>> Session::Impl::take_conformalise
                                                                                   Monitor monitor) {
     Stretch loading{monitor, 0, 0.5};
     Stretch moving{monitor, 0.5, 1};
-    const auto first = build(loaded, {0, moved.spec}, loading.monitor());
+    auto first = build(loaded, {0, moved.spec}, loading.monitor());
     if (!first || moved.version == 0) return first;
     auto now = build_operator(moved.surface, moved.spec, moving.monitor());
     if (!now) return now.error();
@@ -118,7 +118,7 @@ Result<Stability> Session::stability(Side side, const SmoothOptions& options, Mo
         Stretch searching{monitor, 0.1, 1};
         const auto built = impl_->build(options.rebuild ? state.surface : impl_->loaded, key, building.monitor());
         if (!built) return built.error();
-        const auto found = explicit_stability(**built, fixed, searching.monitor());
+        auto found = explicit_stability(**built, fixed, searching.monitor());
         if (found) slot = {key, !fixed.empty(), *found};
         return found;
     });

@@ -36,6 +36,15 @@ std::vector<Index> spread_vertices(const PolygonMesh& mesh, std::span<const Inde
     return chosen;
 }
 
+/// Per component: whether it has a boundary.
+std::vector<char> open_components(const Topology& topology) {
+    std::vector<char> open(static_cast<std::size_t>(topology.component_count), 0);
+    for (const Index v : topology.boundary_vertices) {
+        open[static_cast<std::size_t>(topology.component[static_cast<std::size_t>(v)])] = 1;
+    }
+    return open;
+}
+
 struct FixedVertices {
     std::vector<Index> vertices;  ///< Ascending.
     bool boundary = false;        ///< Some lie on a boundary …
@@ -58,10 +67,7 @@ FixedVertices choose_fixed(const PolygonMesh& mesh, const Topology& topology) {
     FixedVertices fixed;
     fixed.vertices = topology.boundary_vertices;
     fixed.boundary = !fixed.vertices.empty();
-    std::vector<char> open(members.size(), 0);
-    for (const Index v : topology.boundary_vertices) {
-        open[static_cast<std::size_t>(topology.component[static_cast<std::size_t>(v)])] = 1;
-    }
+    const std::vector<char> open = open_components(topology);
     for (std::size_t c = 0; c < members.size(); ++c) {
         if (open[c] != 0) continue;
         const Index count = std::clamp(static_cast<Index>(members[c].size()) / 4, 2, fixed_on_closed);
@@ -115,9 +121,40 @@ struct Worst {
     }
 };
 
-}  // namespace
+/// Functions pinned at all neighbours of one vertex, those that its row joins it to: 1 at one and 0 at the others.
+struct AroundOneVertex {
+    Index functions = 0;
+    double lowest = 0;  ///< What they come to at the vertex: -S_ij / S_ii.
+    Index vertex = -1;
+    Index source = -1;  ///< The neighbour with the value 1.
+};
 
-Result<Measurement> measure_maximum_principle(const Subject& subject, Monitor monitor) {
+/// Around the vertices of closed components, where any vertices may be the boundary.
+AroundOneVertex look_around(const Subject& subject) {
+    const SparseMatrix& s = subject.stiffness();
+    const Topology& topology = subject.topology;
+    const Vector diagonal = s.diagonal();
+    const std::vector<char> open = open_components(topology);
+    AroundOneVertex around;
+    for (Index j = 0; j < s.cols(); ++j) {
+        for (SparseMatrix::InnerIterator it(s, j); it; ++it) {
+            const Index i = it.index();
+            const Index c = topology.component[static_cast<std::size_t>(i)];
+            if (i == j || c < 0 || open[static_cast<std::size_t>(c)] != 0) continue;
+            // Without a diagonal entry, the row leaves the value open.
+            if (std::abs(it.value()) <= subject.zero() || std::abs(diagonal[i]) <= subject.zero()) continue;
+            ++around.functions;
+            const double value = -it.value() / diagonal[i];
+            if (value >= around.lowest) continue;
+            around.lowest = value;
+            around.vertex = i;
+            around.source = j;
+        }
+    }
+    return around;
+}
+
+Result<Measurement> measure_fixed(const Subject& subject, Monitor monitor) {
     const PolygonMesh& mesh = subject.mesh;
     const FixedVertices fixed = choose_fixed(mesh, subject.topology);
     const auto fixed_count = static_cast<Index>(fixed.vertices.size());
@@ -200,6 +237,29 @@ Result<Measurement> measure_maximum_principle(const Subject& subject, Monitor mo
     std::vector<Index> place{worst.vertex};
     if (worst.source >= 0) place.push_back(worst.source);
     return measured(false, value, std::move(text), std::move(place));
+}
+
+}  // namespace
+
+Result<Measurement> measure_maximum_principle(const Subject& subject, Monitor monitor) {
+    auto found = measure_fixed(subject, monitor);
+    const AroundOneVertex around = look_around(subject);
+    if (!found || around.functions == 0) return found;
+    const bool fails = found->verdict == Measurement::Verdict::fails;
+    const double below = -around.lowest;
+    if (below > range_tolerance && !(fails && found->value >= below)) {
+        return measured(false, below,
+                        "pinned to 1 at " + vertex_name(around.source) + " and to 0 at the other neighbours of " +
+                            vertex_name(around.vertex) + ", a harmonic function is " + figure(around.lowest) +
+                            " there, the lowest of " + std::to_string(around.functions) + " pinned like this",
+                        {around.vertex, around.source});
+    }
+    if (found->verdict == Measurement::Verdict::holds) {
+        found->value = std::max(found->value, below);
+        found->text += ", and none of " + std::to_string(around.functions) +
+                       " that are 1 at one neighbour of a vertex and 0 at its others falls below 0";
+    }
+    return found;
 }
 
 }  // namespace polylap

@@ -50,7 +50,9 @@ inline constexpr double range_tolerance = 1e-9;
 /// - Max: the harmonic functions that are 1 at one fixed vertex and 0 at the others. Fixed is the boundary; on a closed
 ///   component up to 16 vertices far apart. All of these functions where vertices × fixed vertices ≤ 2 million, which
 ///   is exact: if none leaves [0, 1] (and constants stay), no boundary data does. Otherwise 64 of them, half next to
-///   the worst negative weights, half spread evenly, and the coordinates; the text says so.
+///   the worst negative weights, half spread evenly, and the coordinates; the text says so. On a closed component any
+///   vertices may be the boundary: there also those that are 1 at one neighbour j of a vertex i (S_ij ≠ 0) and 0 at
+///   its others, hence -S_ij / S_ii at i.
 /// - Kernel: of (S + Sᵀ)/2 if S is symmetric and has no negative eigenvalue, else of SᵀS; the constants of the
 ///   components come first where they belong to it.
 /// @error bad_argument (sizes that do not fit), cancelled, out_of_memory; another failure of a solver leaves its
