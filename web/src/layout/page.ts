@@ -1,7 +1,6 @@
 import type { App } from '../app.js';
 import { h, put } from '../dom.js';
 import { count } from '../format.js';
-import { explain } from '../messages.js';
 import { known } from '../results.js';
 import { type Task, type View, views } from '../state.js';
 import { card } from './card.js';
@@ -10,13 +9,12 @@ import { button } from './controls.js';
 import { deltaCard } from './delta-card.js';
 import { helpDialog, pasteDialog } from './dialogs.js';
 import { dualPanel } from './dual-panel.js';
-import { exportDialog, type Photographer } from './export-dialog.js';
+import type { Photographer } from './export-dialog.js';
 import { harmonicPanel } from './harmonic-panel.js';
 import { header } from './header.js';
 import { intake } from './intake.js';
-import { makeDialog } from './make-dialog.js';
+import { later } from './later.js';
 import { messageLine } from './message-line.js';
-import { shareDialog } from './share-dialog.js';
 import { smoothPanel, transport } from './smooth-panel.js';
 import { statusLine } from './status.js';
 import { tabs } from './tabs.js';
@@ -32,9 +30,6 @@ export interface Page {
 export function page(app: App, root: HTMLElement, photograph: Photographer): Page {
   const help = helpDialog();
   const paste = pasteDialog(app);
-  const make = makeDialog(app);
-  const share = shareDialog(app);
-  const saving = exportDialog(app, photograph);
   const files = intake(app, root);
   const cards = { a: card(app, 'a'), b: card(app, 'b'), delta: deltaCard(app) };
   const canvas = h('canvas', { class: 'scene', 'aria-hidden': 'true' });
@@ -59,27 +54,16 @@ export function page(app: App, root: HTMLElement, photograph: Photographer): Pag
   const narrowTransport = h('div', { class: 'narrow-transport' }, transport(app));
   const stage = h('div', { class: 'stage' }, cards.a.element, cards.b.element, cards.delta.element, canvas);
   const masthead = header(app, {
-    gallery: () => void showGallery(),
+    gallery: later(app, root, 'The gallery', async () => (await import('./gallery-dialog.js')).galleryDialog(app)),
     open: files.pick,
     paste: () => paste.showModal(),
-    make: () => make.showModal(),
-    share: share.open,
-    save: () => saving.showModal(),
+    make: later(app, root, 'What can be made', async () => (await import('./make-dialog.js')).makeDialog(app)),
+    share: later(app, root, 'The link', async () => (await import('./share-dialog.js')).shareDialog(app)),
+    save: later(app, root, 'What can be saved', async () =>
+      (await import('./export-dialog.js')).exportDialog(app, photograph),
+    ),
     help: () => help.showModal(),
   });
-  let gallery: HTMLDialogElement | null = null;
-  const showGallery = async () => {
-    try {
-      if (!gallery) {
-        const { galleryDialog } = await import('./gallery-dialog.js');
-        gallery = await galleryDialog(app);
-        root.append(gallery);
-      }
-      if (!gallery.open) gallery.showModal();
-    } catch (reason) {
-      app.results.set({ error: { title: 'The gallery cannot be shown', text: explain(reason) } });
-    }
-  };
   const leave = () => tasks.element.querySelector<HTMLElement>('[aria-selected=true]')?.focus();
   masthead.append(files.element);
   root.append(
@@ -102,9 +86,6 @@ export function page(app: App, root: HTMLElement, photograph: Photographer): Pag
     statusLine(app),
     help,
     paste,
-    make,
-    share.element,
-    saving,
   );
   app.state.watch(
     (state) => [state.task],
