@@ -217,6 +217,26 @@ export async function picture(page: Page, name: string, fullPage = false): Promi
   await page.screenshot({ path: join(out, `${name}.png`), fullPage });
 }
 
+export type Colour = [number, number, number];
+
+/** What the screen shows at points of the page. */
+export async function pixels(page: Page, points: readonly { x: number; y: number }[]): Promise<Colour[]> {
+  const png = (await page.screenshot()).toString('base64');
+  return page.evaluate(
+    async ([data, places]) => {
+      const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${data}`)).blob());
+      const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+      const context = canvas.getContext('2d', { willReadFrequently: true }) as OffscreenCanvasRenderingContext2D;
+      context.drawImage(bitmap, 0, 0);
+      return places.map(({ x, y }) => {
+        const [r = 0, g = 0, b = 0] = context.getImageData(Math.round(x), Math.round(y), 1, 1).data;
+        return [r, g, b] as Colour;
+      });
+    },
+    [png, points] as const,
+  );
+}
+
 /** A flat grid of n × n squares as OBJ text. */
 export function gridObj(n: number): string {
   const lines: string[] = [];

@@ -4,7 +4,18 @@ import { describe, expect, it } from 'vitest';
 import type { Side } from '../../wasm/src/types.js';
 import { readState } from '../../web/src/read-state.js';
 import { linkOf } from '../../web/src/share.js';
-import { chooseMesh, clickVertex, picture, readout, settled, useSite, useVisit, visit } from './browser.js';
+import {
+  type Colour,
+  chooseMesh,
+  clickVertex,
+  picture,
+  pixels,
+  readout,
+  settled,
+  useSite,
+  useVisit,
+  visit,
+} from './browser.js';
 
 const site = useSite();
 const at = useVisit(site);
@@ -82,27 +93,6 @@ describe('on 100 000 faces', () => {
   });
 });
 
-type Colour = [number, number, number];
-
-/** What the screen shows at points of the page. */
-async function pixels(points: readonly { x: number; y: number }[]): Promise<Colour[]> {
-  const { page } = at;
-  const png = (await page.screenshot()).toString('base64');
-  return page.evaluate(
-    async ([data, places]) => {
-      const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${data}`)).blob());
-      const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
-      const context = canvas.getContext('2d', { willReadFrequently: true }) as OffscreenCanvasRenderingContext2D;
-      context.drawImage(bitmap, 0, 0);
-      return places.map(({ x, y }) => {
-        const [r = 0, g = 0, b = 0] = context.getImageData(Math.round(x), Math.round(y), 1, 1).data;
-        return [r, g, b] as Colour;
-      });
-    },
-    [png, points] as const,
-  );
-}
-
 /** Points on the line from one vertex to another, by their share of the way. */
 async function between(side: Side, from: number, to: number, shares: readonly number[]) {
   const [p, q] = await at.page.evaluate(([of, ...vertices]) => vertices.map((v) => globalThis.polylap.project(of, v)), [
@@ -126,32 +116,39 @@ describe('spokes', () => {
     await clickVertex(page, 'a', 40);
     await page.locator('table[data-row="40"]').waitFor();
     await page.mouse.move(5, 5);
-    await expect.poll(async () => dark((await pixels(await between('a', 40, 41, [0.5])))[0] ?? [255, 0, 0])).toBe(true);
+    await expect
+      .poll(async () => dark((await pixels(at.page, await between('a', 40, 41, [0.5])))[0] ?? [255, 0, 0]))
+      .toBe(true);
     const thickness = async (side: Side) => {
       const [middle] = await between(side, 40, 41, [0.5]);
       const across = Array.from({ length: 21 }, (_, k) => ({ x: middle?.x ?? 0, y: (middle?.y ?? 0) + k - 10 }));
-      return (await pixels(across)).filter(dark).length;
+      return (await pixels(at.page, across)).filter(dark).length;
     };
     // On unit squares λ = 1 gives w = 2 to the neighbours, the planar operator 1.
     const [a, b] = [await thickness('a'), await thickness('b')];
     expect(b).toBeGreaterThanOrEqual(2);
     expect(a).toBeGreaterThanOrEqual(1.5 * b);
     const along = await pixels(
+      at.page,
       await between('a', 40, 50, [0.2, 0.25, 0.3, 0.35, 0.4, 0.45, 0.5, 0.62, 0.8, 0.85, 0.9]),
     );
     expect(along.filter(red).length).toBeGreaterThan(1);
     expect(along.every(red)).toBe(false);
     expect(red(along[7] ?? [0, 0, 0])).toBe(true);
-    expect((await pixels(await between('b', 40, 50, [0.3, 0.5, 0.62]))).some(red)).toBe(false);
+    expect((await pixels(at.page, await between('b', 40, 50, [0.3, 0.5, 0.62]))).some(red)).toBe(false);
     await picture(page, 'spokes');
   });
 
   it('belong to Weights alone', async () => {
     const { page } = at;
     await page.getByRole('tab', { name: 'Check' }).click();
-    await expect.poll(async () => dark((await pixels(await between('a', 40, 41, [0.5])))[0] ?? [0, 0, 0])).toBe(false);
+    await expect
+      .poll(async () => dark((await pixels(at.page, await between('a', 40, 41, [0.5])))[0] ?? [0, 0, 0]))
+      .toBe(false);
     await page.getByRole('tab', { name: 'Weights' }).click();
-    await expect.poll(async () => dark((await pixels(await between('a', 40, 41, [0.5])))[0] ?? [255, 0, 0])).toBe(true);
+    await expect
+      .poll(async () => dark((await pixels(at.page, await between('a', 40, 41, [0.5])))[0] ?? [255, 0, 0]))
+      .toBe(true);
   });
 });
 
@@ -221,7 +218,9 @@ describe('a face', () => {
       return [...(corners?.subarray(offsets?.[27], (offsets?.[27] ?? 0) + 2) ?? [])];
     });
     for (const side of ['a', 'b'] as const)
-      await expect.poll(async () => (await pixels(await between(side, i ?? 0, j ?? 0, [0.7]))).every(blue)).toBe(true);
+      await expect
+        .poll(async () => (await pixels(at.page, await between(side, i ?? 0, j ?? 0, [0.7]))).every(blue))
+        .toBe(true);
     await picture(page, 'face');
   });
 

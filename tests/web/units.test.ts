@@ -13,6 +13,7 @@ import { Meshes } from '../../web/src/meshes.js';
 import { describe as describeMesh, explain } from '../../web/src/messages.js';
 import { type Mesh, PolylapError } from '../../web/src/polylap.js';
 import { freshSide } from '../../web/src/results.js';
+import { loneSides } from '../../web/src/scene/lone-sides.js';
 import { initialState, withPin } from '../../web/src/state.js';
 import { Store } from '../../web/src/store.js';
 import { isCancelled, Unwanted, Work } from '../../web/src/work.js';
@@ -339,5 +340,16 @@ describe('large meshes', () => {
     expect(refused?.title).toBe('a.off is too large');
     expect(refused?.text).toMatch(why);
     expect(said).toEqual([{ error: refused, notice: 'a.off is too large' }]);
+  });
+});
+
+describe('lone sides', () => {
+  it('are the polygon edges of one face', () => {
+    // Two quads side by side, and a triangle on the edge between them as a third face of it.
+    const triangles = Int32Array.of(0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4, 1, 4, 6);
+    const edges = Uint8Array.of(3, 6, 3, 6, 7);
+    expect([...loneSides(triangles, edges, 7)]).toEqual([1, 6, 3, 2, 6]);
+    // Without it and the second quad, all around.
+    expect([...loneSides(triangles.slice(0, 6), edges.slice(0, 2), 5)]).toEqual([3, 6]);
   });
 });

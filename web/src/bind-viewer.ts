@@ -1,10 +1,9 @@
 import type { App } from './app.js';
 import { bindSelection } from './bind-selection.js';
-import { colouring, outsideOf } from './colouring.js';
+import { colouring, Outside, outsideOf } from './colouring.js';
 import { isTyping } from './dom.js';
 import type { Geometry, Side } from './polylap.js';
 import { known } from './results.js';
-import { Outside } from './scene/data-texture.js';
 import { wheelHint } from './scene/host-scroll.js';
 import { chain, dualLayers, negativeLines } from './scene/layers.js';
 import { Mark } from './scene/markers.js';
@@ -81,7 +80,7 @@ export function bindViewer(app: App, viewer: Viewer): void {
         shown?.values[side] ?? null,
         shown?.range ?? null,
         shown?.map ?? 'viridis',
-        shown?.outside[side],
+        shown?.left[side],
       );
   };
   app.results.watch(({ a, b, mesh }) => [a.harmonic, b.harmonic, a.check, b.check, mesh], showValues);

@@ -2,12 +2,16 @@
 import type { ColourMap } from './colour-maps.js';
 import type { Harmonic, Side } from './polylap.js';
 import { known, type Results } from './results.js';
-import { Outside } from './scene/data-texture.js';
+import type { Interval } from './scene/surface.js';
 import type { State } from './state.js';
 
-export interface Range {
-  min: number;
-  max: number;
+/** How a value stands to the range it should be in. */
+export enum Outside {
+  below = -1,
+  above = 1,
+}
+
+export interface Range extends Interval {
   /** The one value everywhere, in the middle of the range. */
   single: number | null;
 }
@@ -16,11 +20,12 @@ export interface Colouring {
   map: ColourMap;
   range: Range;
   values: Record<Side, Float64Array | null>;
-  /** Vertices that leave the range of the pins, and where to. */
-  outside: Record<Side, readonly (readonly [vertex: number, side: Outside])[]>;
+  /** The range of the pins, where vertices leave it. */
+  left: Record<Side, Interval | null>;
 }
 
-const nowhere = { a: [], b: [] };
+/** Beyond the range of the pins by less, beside its width, is rounding; as in the core. */
+const outsideTolerance = 1e-9;
 
 /** How large the values of a harmonic function are: what is tiny beside it is rounding. */
 export const sizeOf = ({ fixedMin, fixedMax, min, max }: Harmonic): number =>
@@ -34,22 +39,28 @@ export function outsideOf({ outside, values, fixedMax }: Harmonic): (readonly [n
   ]);
 }
 
+/** null where all vertices stay in it. */
+function leftRange({ outside, fixedMin, fixedMax }: Harmonic): Interval | null {
+  const slack = outsideTolerance * (fixedMax - fixedMin);
+  return outside.length > 0 ? { min: fixedMin - slack, max: fixedMax + slack } : null;
+}
+
 /** null when there is nothing to colour. */
 export function colouring(state: Pick<State, 'task' | 'mode' | 'colours'>, results: Results): Colouring | null {
   if (state.task === 'harmonic') {
     const shared = sharedRange(results);
     const range = shared && chosenRange(shared, state.colours);
     const values = (side: Side) => known(results[side].harmonic)?.values ?? null;
-    const outside = (side: Side) => {
+    const left = (side: Side) => {
       const own = known(results[side].harmonic);
-      return own ? outsideOf(own) : [];
+      return own && leftRange(own);
     };
     return (
       range && {
         map: state.colours.map,
         range,
         values: { a: values('a'), b: values('b') },
-        outside: { a: outside('a'), b: outside('b') },
+        left: { a: left('a'), b: left('b') },
       }
     );
   }
@@ -60,7 +71,7 @@ export function colouring(state: Pick<State, 'task' | 'mode' | 'colours'>, resul
   let reach = 0;
   for (const value of [...(values.a ?? []), ...(values.b ?? [])]) reach = Math.max(reach, Math.abs(value));
   return reach > 0
-    ? { map: 'red-blue', range: { min: -reach, max: reach, single: null }, values, outside: nowhere }
+    ? { map: 'red-blue', range: { min: -reach, max: reach, single: null }, values, left: { a: null, b: null } }
     : null;
 }
 

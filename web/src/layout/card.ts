@@ -1,10 +1,9 @@
 import type { App } from '../app.js';
-import { outsideOf, sizeOf } from '../colouring.js';
+import { Outside, outsideOf, sizeOf } from '../colouring.js';
 import { h, put } from '../dom.js';
 import { cleared, count, exact, plural, real } from '../format.js';
 import { type Mesh, operators, type Side } from '../polylap.js';
 import { known } from '../results.js';
-import { Outside } from '../scene/data-texture.js';
 import { initialChoice, operatorOf } from '../state.js';
 import { button, menu } from './controls.js';
 import { formulaParts } from './formula.js';

@@ -1,7 +1,10 @@
 import type { App } from '../app.js';
-import { colouring } from '../colouring.js';
+import { colouring, Outside, outsideOf } from '../colouring.js';
 import { h, put } from '../dom.js';
 import { cleared, count, exact } from '../format.js';
+import type { Side } from '../polylap.js';
+import { known } from '../results.js';
+import { sides } from '../state.js';
 import { button } from './controls.js';
 import { ramp } from './ramp.js';
 
@@ -67,11 +70,15 @@ function legend(app: App): HTMLElement {
   const strip = ramp();
   const hatch = (side: string, text: string) =>
     h('span', {}, h('span', { class: `hatch ${side}`, 'aria-hidden': 'true' }), text);
+  const hatches = {
+    [Outside.below]: hatch('below', 'below the pins'),
+    [Outside.above]: hatch('above', 'above the pins'),
+  };
   const outside = h(
     'span',
-    { class: 'legend-outside', title: 'Around vertices whose value leaves the range of the pins' },
-    hatch('below', 'below'),
-    hatch('above', 'above the pins'),
+    { class: 'legend-outside', title: 'Where values leave the range of the pins' },
+    hatches[Outside.below],
+    hatches[Outside.above],
   );
   const values = h(
     'span',
@@ -87,6 +94,10 @@ function legend(app: App): HTMLElement {
     values,
     h('label', { class: 'legend-negative' }, negative, dashes, 'negative weight'),
   );
+  const outsideAt = (side: Side) => {
+    const own = known(app.results.get()[side].harmonic);
+    return own ? outsideOf(own) : [];
+  };
   const show = () => {
     const { task } = app.state.get();
     const coloured = colouring(app.state.get(), app.results.get());
@@ -98,7 +109,10 @@ function legend(app: App): HTMLElement {
     values.classList.toggle('single', single);
     strip.paint(map, single);
     high.hidden = single;
-    outside.hidden = single || task !== 'harmonic';
+    const beyond = task === 'harmonic' ? sides.flatMap(outsideAt) : [];
+    for (const where of [Outside.below, Outside.above])
+      hatches[where].hidden = !beyond.some(([, there]) => there === where);
+    outside.hidden = beyond.length === 0;
     if (range.single !== null) {
       put(low, `${exact(range.single)} everywhere`, range.single);
       return;

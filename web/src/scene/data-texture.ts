@@ -1,4 +1,6 @@
-import { DataTexture, FloatType, IntType, NearestFilter, RGBAFormat, RGBAIntegerFormat, RGFormat } from 'three';
+import { DataTexture, FloatType, IntType, NearestFilter, RedFormat, RGBAFormat, RGBAIntegerFormat } from 'three';
+import type { Geometry } from '../polylap.js';
+import { loneSides } from './lone-sides.js';
 
 /** Arrays too long for a uniform live in textures of this width; texel i is at (i % width, i / width). */
 export const textureWidth = 2048;
@@ -31,43 +33,42 @@ export class VectorTexture {
 /** Stands for "no value": NaN does not survive every driver. */
 export const noValue = 3e38;
 
-/** How a value stands to the range it should be in. */
-export enum Outside {
-  below = -1,
-  above = 1,
-}
-
-/** Two floats a texel: a value, and how it stands to its range. */
+/** A float a texel. */
 export class ValueTexture {
   readonly texture: DataTexture;
   private readonly data: Float32Array;
 
   constructor(count: number) {
-    this.data = new Float32Array(rowsFor(count) * textureWidth * 2);
-    this.texture = new DataTexture(this.data, textureWidth, rowsFor(count), RGFormat, FloatType);
-    this.update(null, []);
+    this.data = new Float32Array(rowsFor(count) * textureWidth);
+    this.texture = new DataTexture(this.data, textureWidth, rowsFor(count), RedFormat, FloatType);
+    this.update(null);
   }
 
-  /** @param outside vertices beyond the range, and on which side each is */
-  update(values: Float64Array | null, outside: Iterable<readonly [vertex: number, side: Outside]>): void {
+  update(values: Float64Array | null): void {
     const { data } = this;
-    data.fill(0);
-    for (let i = 0; i < data.length / 2; i++) {
+    for (let i = 0; i < data.length; i++) {
       const value = values?.[i];
-      data[2 * i] = value !== undefined && Number.isFinite(value) ? value : noValue;
+      data[i] = value !== undefined && Number.isFinite(value) ? value : noValue;
     }
-    for (const [vertex, side] of outside) data[2 * vertex + 1] = side;
     this.texture.needsUpdate = true;
   }
 }
 
-/** Per triangle: its three vertices, and 8 · face + its polygon edges. */
-export function triangleTexture(triangles: Int32Array, edges: Uint8Array, faces: Int32Array): DataTexture {
+/**
+ * Per triangle: its three vertices, and bits: its polygon edges (3), those at the boundary (3), where the other half of a
+ * quad is (2; 1: the triangle before, 2: the one after), and the face.
+ */
+export function triangleTexture(geometry: Geometry): DataTexture {
+  const { offsets, triangles, triangleEdges: edges, triangleFaces: faces } = geometry;
+  const lone = loneSides(triangles, edges, geometry.positions.length / 3);
   const rows = rowsFor(faces.length);
   const data = new Int32Array(rows * textureWidth * 4);
   for (let t = 0; t < faces.length; t++) {
     for (let k = 0; k < 3; k++) data[4 * t + k] = triangles[3 * t + k] as number;
-    data[4 * t + 3] = 8 * (faces[t] as number) + (edges[t] as number);
+    const face = faces[t] as number;
+    const quad = (offsets[face + 1] as number) - (offsets[face] as number) === 4;
+    const half = !quad ? 0 : faces[t - 1] === face ? 1 : faces[t + 1] === face ? 2 : 0;
+    data[4 * t + 3] = (face << 8) | (half << 6) | ((lone[t] as number) << 3) | (edges[t] as number);
   }
   const texture = new DataTexture(data, textureWidth, rows, RGBAIntegerFormat, IntType);
   texture.internalFormat = 'RGBA32I';

@@ -6,7 +6,7 @@ import { type View, views } from '../state.js';
 import { LinkedCamera } from './camera.js';
 import { readColours } from './colours.js';
 import { Content } from './content.js';
-import { type Outside, triangleTexture } from './data-texture.js';
+import { triangleTexture } from './data-texture.js';
 import { flightTo } from './flight.js';
 import { HoverRing } from './hover-ring.js';
 import { type Label, Labels } from './labels.js';
@@ -16,7 +16,7 @@ import { photograph } from './photograph.js';
 import { type Aim, type Meant, meant, meantPoint } from './pick.js';
 import { hidden } from './ray.js';
 import { Retired } from './retired.js';
-import type { Surface } from './surface.js';
+import type { Interval, Surface } from './surface.js';
 
 /** Two views of the mesh in one canvas: one renderer, one camera, a scissored rectangle each. Draws when something changed, not otherwise. */
 export class Viewer {
@@ -73,7 +73,7 @@ export class Viewer {
   setMesh(geometry: Geometry, zIsUp: boolean): void {
     this.clear();
     this.geometry = geometry;
-    this.triangles = triangleTexture(geometry.triangles, geometry.triangleEdges, geometry.triangleFaces);
+    this.triangles = triangleTexture(geometry);
     this.meanEdge = meanEdge(geometry);
     const make = () => new Content(geometry, this.triangles as Texture, this.maps.viridis, this.meanEdge, zIsUp);
     this.shown = { a: make(), b: make(), delta: make() };
@@ -114,15 +114,15 @@ export class Viewer {
     this.request();
   }
 
-  /** @param outside see Surface.show */
+  /** @param allowed see Surface.show */
   setValues(
     view: View,
     values: Float64Array | null,
-    range: { min: number; max: number } | null,
+    range: Interval | null,
     map: ColourMap,
-    outside?: Iterable<readonly [vertex: number, side: Outside]>,
+    allowed: Interval | null = null,
   ): void {
-    this.shown?.[view].surface.show(values, range, this.maps[map], outside);
+    this.shown?.[view].surface.show(values, range, this.maps[map], allowed);
     this.request();
   }
 
