@@ -42,6 +42,8 @@ describe('check', () => {
     const reasons = page.locator('[data-property=positiveWeights] + .reasons');
     const why = operators.find(({ id }) => id === 'planar')?.claims.positiveWeights.why ?? 'none';
     expect(await reasons.textContent()).toContain(why);
+    const found = (await reasons.locator('[data-of=a] p').last().textContent()) ?? '';
+    expect(found).toMatch(/the worst is −[\d.]+ between vertices \d+ and \d+\. Show$/);
     await reasons.locator('[data-of=a]').getByRole('button').click();
     const { place, vertex } = await page.evaluate(() => ({
       place: globalThis.polylap.results().place,

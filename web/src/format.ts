@@ -76,6 +76,7 @@ export function words(id: string): string {
   return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
-function minus(text: string): string {
-  return text.replaceAll('-', '−');
+/** With true minus signs before numbers and between terms; hyphens stay. */
+export function minus(text: string): string {
+  return text.replace(/-(?=[\d ])/g, '−');
 }

@@ -1,6 +1,6 @@
 import type { App } from '../app.js';
 import { h } from '../dom.js';
-import { real } from '../format.js';
+import { minus, real } from '../format.js';
 import { type Measurement, properties } from '../polylap.js';
 import { known, type SideResults } from '../results.js';
 import { operatorOf, sides, studied } from '../state.js';
@@ -94,11 +94,11 @@ export function propertyTable(app: App): HTMLElement {
           h(
             'p',
             { class: broken ? 'negative' : '' },
-            `${word.charAt(0).toUpperCase()}${word.slice(1)}${broken ? ', against the claim' : ''}${finding.text ? `: ${finding.text}` : '.'} `,
+            `${word.charAt(0).toUpperCase()}${word.slice(1)}${broken ? ', against the claim' : ''}${finding.text ? `: ${finding.text}` : ''}. `,
             finding.vertices.length > 0
-              ? button(placeName(finding.vertices), () => app.show({ side, vertices: finding.vertices }), {
+              ? button('Show', () => app.show({ side, vertices: finding.vertices }), {
                   class: 'place',
-                  'aria-label': `${placeName(finding.vertices)}, on ${side.toUpperCase()}`,
+                  'aria-label': `Show ${placeName(finding.vertices)} on ${side.toUpperCase()}`,
                 })
               : null,
           ),
@@ -116,15 +116,14 @@ const unknown: Finding = { verdict: 'not-measured', text: '', vertices: [] };
 /** What was measured of a property; of convergence, what the study found. */
 function findingOf({ check, study }: SideResults, property: string): Finding {
   const measured = known(check)?.measurements.find((measurement) => measurement.property === property);
-  if (measured && measured.verdict !== 'not-measured') return measured;
-  if (property !== studied) return measured ?? unknown;
+  if (property !== studied) return measured ? { ...measured, text: minus(measured.text) } : unknown;
   const studies = known(study);
-  if (!studies) return { ...unknown, text: 'see the study below.' };
+  if (!studies) return { ...unknown, text: 'see the study below' };
   const text = studies.map(({ family, order }) => `order ${real(order, 2)} on ${family}`).join('; ');
-  return { verdict: studies.every(({ converges }) => converges) ? 'holds' : 'fails', text: `${text}.`, vertices: [] };
+  return { verdict: studies.every(({ converges }) => converges) ? 'holds' : 'fails', text, vertices: [] };
 }
 
-export function placeName(vertices: readonly number[]): string {
+function placeName(vertices: readonly number[]): string {
   const [first, second] = vertices;
   if (second === undefined) return `vertex ${first}`;
   return vertices.length === 2 ? `vertices ${first} and ${second}` : `vertices ${first}, ${second} …`;
