@@ -339,7 +339,7 @@ TEST_F(CommandLine, UsageErrorsEndWithTwo) {
 TEST_F(CommandLine, UsageErrorsNameWhatIsWrong) {
     const std::string commands =
         "the commands are info, operators, shapes, conversions, make, convert, matrix, smooth, harmonic, check, "
-        "convergence, spectrum, dual";
+        "convergence, spectrum, face, dual";
     EXPECT_TRUE(fail(2, "foo").starts_with("there is no command 'foo'; " + commands));
     EXPECT_TRUE(fail(2, "infos x.obj").starts_with("there is no command 'infos'; " + commands));
     EXPECT_TRUE(fail(2, "").starts_with("expected a command; " + commands));
