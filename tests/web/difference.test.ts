@@ -104,14 +104,31 @@ describe('in the page', () => {
     await track.fill('0.25');
     const { x, width } = (await page.locator('[data-view=delta]').boundingBox()) ?? { x: 0, width: 0 };
     const divider = await page.locator('.divider').boundingBox();
-    expect(Math.abs((divider?.x ?? 0) - (x + 0.25 * width))).toBeLessThan(2);
+    expect(Math.abs((divider?.x ?? 0) + (divider?.width ?? 0) / 2 - (x + 0.25 * width))).toBeLessThan(2);
     await track.press('ArrowRight');
     expect(await page.evaluate(() => globalThis.polylap.state().delta.swipe)).toBeCloseTo(0.255, 9);
     // What is clicked is the surface that is seen there.
     await clickVertex(page, 'delta', 403);
     expect(await page.evaluate(() => globalThis.polylap.state().selected)).toBe(403);
+    const card = page.locator('[data-side=delta]');
+    expect(await card.locator('.card-title').textContent()).toBe('A | B');
+    expect(await card.locator('[data-readout=delta-max]').isVisible()).toBe(false);
     await picture(page, 'swipe');
+    // By the line itself: the mesh does not turn.
+    const camera = await page.evaluate(() => JSON.stringify(globalThis.polylap.state().camera));
+    const line = await page.locator('.divider').boundingBox();
+    if (!line) throw new Error('no line');
+    expect(line.width).toBe(24);
+    await page.mouse.move(line.x + line.width / 2, line.y + 100);
+    await page.mouse.down();
+    await page.mouse.move(x + 0.4 * width, line.y + 120, { steps: 3 });
+    await page.mouse.move(x + 0.6 * width, line.y + 140, { steps: 3 });
+    await page.mouse.up();
+    expect(await page.evaluate(() => globalThis.polylap.state().delta.swipe)).toBeCloseTo(0.6, 2);
+    expect(await page.evaluate(() => JSON.stringify(globalThis.polylap.state().camera))).toBe(camera);
     await gain(1).click();
+    expect(await card.locator('.card-title').textContent()).toBe('B − A');
+    expect(await card.locator('[data-readout=delta-max]').isVisible()).toBe(true);
   });
 
   it('compares values in Harmonic', async () => {

@@ -187,7 +187,9 @@ describe('in the page', () => {
     await shows(page, 'step', 4, 4);
     expect(await readout(page, 'volume', 'b')).toBeLessThan(0.999 * volume);
     expect(await page.getByLabel('Fix the boundary').isDisabled()).toBe(true);
-    expect(await page.locator('label', { hasText: 'Fix the boundary' }).textContent()).toContain('it is closed');
+    expect(await page.locator('label', { hasText: 'Fix the boundary' }).textContent()).toContain(
+      'the surface is closed',
+    );
   });
 
   it('fixes the boundary of an open surface, which has no volume to keep', async () => {
@@ -197,7 +199,7 @@ describe('in the page', () => {
     const keep = page.getByLabel('Keep the volume');
     await page.waitForFunction(() => document.querySelector<HTMLInputElement>('[data-field=keepVolume]')?.disabled);
     expect(await keep.isChecked()).toBe(false);
-    expect(await page.locator('label', { hasText: 'Keep the volume' }).textContent()).toContain('open at edge');
+    expect(await page.locator('label', { hasText: 'Keep the volume' }).textContent()).toContain('the surface is open');
     await page.getByLabel('Fix the boundary').check();
     await flowOf('A').selectOption('conformalised');
     await flowOf('B').selectOption('explicit');

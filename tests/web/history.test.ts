@@ -129,7 +129,7 @@ describe('undo and redo', () => {
     const { page } = at;
     await page.getByRole('tab', { name: 'Harmonic' }).click();
     for (let k = 0; k < 60; k++) {
-      await page.getByLabel('Vertex', { exact: true }).last().fill(String(k));
+      await page.getByRole('tabpanel').getByLabel('Vertex', { exact: true }).fill(String(k));
       await page.keyboard.press('Enter');
       await page.getByRole('button', { name: 'Pin', exact: true }).click();
     }

@@ -145,7 +145,7 @@ describe('labels of pins', () => {
 
   it('never overlap', async () => {
     const { page } = at;
-    await page.locator('[data-action=pin-boundary]').click();
+    await page.getByLabel('Values of the boundary').selectOption('value');
     await settled(page);
     for (const key of ['ArrowUp', 'ArrowUp', 'ArrowUp', 'ArrowRight', '-', '-', '-']) {
       await page.locator('[data-view=a]').focus();
@@ -199,13 +199,15 @@ describe('the boundary', () => {
       'loop 2, 4\u00a0vertices',
     ]);
     await page.getByRole('button', { name: 'Pin to 1' }).click();
-    await page.getByLabel('Values of the boundary').selectOption('value');
     await loop.selectOption('1');
-    await page.getByRole('button', { name: 'Pin loop 2 of the boundary' }).click();
+    const values = page.getByLabel('Values of the boundary');
+    expect(await values.locator('option').first().textContent()).toBe('choose…');
+    await values.selectOption('value');
     expect((await pins(page)).map(({ vertex }) => vertex).sort((i, j) => i - j)).toEqual([5, 6, 9, 10]);
     await loop.selectOption('0');
-    await page.getByLabel('Values of the boundary').selectOption('side');
-    await page.getByRole('button', { name: 'Pin loop 1 of the boundary' }).click();
+    expect(await values.inputValue()).toBe('');
+    await values.selectOption('side');
+    expect(await values.inputValue()).toBe('side');
     const all = await pins(page);
     expect(all).toHaveLength(16);
     expect(
@@ -215,7 +217,74 @@ describe('the boundary', () => {
         .sort((i, j) => i - j),
     ).toEqual([5, 6, 9, 10, 12, 13, 14, 15]);
     await picture(page, 'pins-ring');
+    // It names what is pinned as long as that is what is pinned.
+    await page.getByRole('button', { name: 'Two pins, 0 and 1' }).click();
+    expect(await values.inputValue()).toBe('');
   });
+});
+
+describe('the status line', () => {
+  const notice = () => at.page.locator('.notice').textContent();
+
+  it('tells of a pin set by key as long as the pins are as they are', async () => {
+    const { page } = at;
+    await page.getByRole('tab', { name: 'Harmonic' }).click();
+    await chooseMesh(page, 'torus');
+    await page.getByRole('button', { name: 'Pin to 1' }).click();
+    expect(await page.getByLabel('Values of the boundary').locator('option').first().textContent()).toBe('no boundary');
+    await page.getByRole('tabpanel').getByLabel('Vertex', { exact: true }).fill('37');
+    await page.locator('[data-view=a]').focus();
+    await page.keyboard.press('Enter');
+    expect(await notice()).toBe('Pinned vertex 37 to 1.');
+    await page.getByRole('tab', { name: 'Dual' }).click();
+    expect(await notice()).toBe('');
+    await page.getByRole('tab', { name: 'Harmonic' }).click();
+  });
+
+  it('refuses a value until another one is taken', async () => {
+    const { page } = at;
+    const field = page.getByLabel('λ of A, value');
+    await field.fill('-1');
+    await field.press('Tab');
+    expect(await notice()).toMatch(/^λ of A takes numbers from 0/);
+    await field.fill('0.75');
+    expect(await notice()).toBe('');
+    await field.fill('1');
+    await settled(page);
+  });
+
+  it('says where smoothing was paused until it goes on', async () => {
+    const { page } = at;
+    await page.getByRole('tab', { name: 'Smooth' }).click();
+    await page.getByRole('button', { name: 'Play', exact: true }).click();
+    await page.waitForFunction(() => globalThis.polylap.results().b.step >= 2);
+    await page.getByRole('button', { name: 'Pause', exact: true }).click();
+    await page.getByText(/^Paused at step \d+\.$/).waitFor();
+    await settled(page);
+    await page.getByRole('button', { name: 'Step', exact: true }).click();
+    await settled(page);
+    expect(await notice()).toBe('');
+    await page.getByRole('tab', { name: 'Harmonic' }).click();
+  });
+});
+
+it('the inspector begins at its top in another task and on another mesh', async () => {
+  const { page } = at;
+  const panel = page.locator('.panel');
+  const down = () => panel.evaluate((element) => element.scrollTo(0, 10_000));
+  const top = () => panel.evaluate((element) => element.scrollTop);
+  await page.getByRole('tab', { name: 'Weights' }).click();
+  await settled(page);
+  await down();
+  expect(await top()).toBeGreaterThan(0);
+  await page.keyboard.press(']');
+  await settled(page);
+  expect(await top()).toBeGreaterThan(0);
+  await chooseMesh(page, 'noisy-torus');
+  expect(await top()).toBe(0);
+  await down();
+  await page.getByRole('tab', { name: 'Harmonic' }).click();
+  expect(await top()).toBe(0);
 });
 
 describe('what leaves the range', () => {
@@ -230,10 +299,11 @@ describe('what leaves the range', () => {
     await chooseMesh(page, 'grid-8');
     await page.getByLabel('λ of A, value').fill('2');
     await page.getByLabel('Values of the boundary').selectOption('corner');
-    await page.locator('[data-action=pin-boundary]').click();
     await settled(page);
     await shows(page, 'outside', 49, 0);
-    expect(await page.locator('[data-side=a] [data-readout=card-outside]').textContent()).toBe('49 below 0');
+    expect(await page.locator('[data-side=a] [data-readout=card-outside]').textContent()).toBe(
+      '49\u00a0vertices below 0',
+    );
     expect(await page.locator('[data-side=b] [data-readout=card-outside]').textContent()).toBe('');
     expect(await page.locator('.legend-outside').isVisible()).toBe(true);
     expect(await page.locator('[data-readout=min][data-of=b]').textContent()).toBe('0');

@@ -1,5 +1,6 @@
 import { Answers } from './answers.js';
 import { compare } from './compare.js';
+import { exact } from './format.js';
 import { History } from './history.js';
 import { Meshes } from './meshes.js';
 import { explain } from './messages.js';
@@ -22,12 +23,18 @@ export class App {
   readonly smoothing = new Smoothing(this);
   readonly history = new History(this);
 
+  private spoken: { notice: string; of: (state: State) => readonly unknown[]; when: readonly unknown[] } | null = null;
+
   /** The vertex that faces the eye; the viewer tells. */
   front: () => number = () => 0;
 
   /** @param client the page is there before the worker is */
   constructor(readonly client: Promise<Client>) {
     compare(this);
+    this.state.watch(
+      (state) => [state],
+      () => this.forgetStale(),
+    );
     void client.then(
       (ready) => {
         // What was cancelled is told of by whoever asked for it.
@@ -89,6 +96,16 @@ export class App {
     const { pins, value } = this.state.get().harmonic;
     const there = pins.find((pin) => pin.vertex === vertex);
     this.pin(vertex, there?.value === value ? null : value);
+    this.sayOfPins(
+      there?.value === value
+        ? `The pin at vertex ${vertex} is removed.`
+        : `Pinned vertex ${vertex} to ${exact(value)}.`,
+    );
+  }
+
+  /** As long as they are as they are. */
+  sayOfPins(notice: string): void {
+    this.say(notice, ({ task, harmonic: { pins } }) => [task, pins]);
   }
 
   setPins(pins: State['harmonic']['pins']): void {
@@ -219,8 +236,25 @@ export class App {
     return this.work.idle && !this.results.get().playing;
   }
 
-  say(notice: string): void {
+  /** @param of what it speaks of: when any of that changes, it goes */
+  say(notice: string, of?: (state: State) => readonly unknown[]): void {
+    this.spoken = of ? { notice, of, when: of(this.state.get()) } : null;
     this.results.set({ notice });
+  }
+
+  /** Says why something was not taken, until something is. */
+  refuse(why: string): void {
+    // A step that is played, or a camera that comes to rest, is no answer to it.
+    this.say(why, ({ step: _, moves: __, camera: ___, ...chosen }) => Object.values(chosen));
+  }
+
+  private forgetStale(): void {
+    const { spoken } = this;
+    if (!spoken) return;
+    const now = spoken.of(this.state.get());
+    if (now.every((part, k) => Object.is(part, spoken.when[k]))) return;
+    this.spoken = null;
+    if (this.results.get().notice === spoken.notice) this.results.set({ notice: '' });
   }
 
   patch(mesh: Mesh, side: Side, patch: Partial<SideResults>): void {

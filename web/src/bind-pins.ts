@@ -103,12 +103,12 @@ class PinLabel implements Label {
       end: () => {
         over();
         app.select(this.vertex);
-        app.say(`Pinned at vertex ${this.vertex}.`);
+        app.sayOfPins(`Pinned at vertex ${this.vertex}.`);
       },
       cancel: () => {
         app.setPins(before);
         over();
-        app.say('The pin is where it was.');
+        app.sayOfPins('The pin is where it was.');
       },
     });
   }
@@ -137,7 +137,7 @@ class PinLabel implements Label {
     const { vertex } = this;
     this.places[this.view].focus();
     this.app.pin(vertex, null);
-    this.app.say(`The pin at vertex ${vertex} is removed.`);
+    this.app.sayOfPins(`The pin at vertex ${vertex} is removed.`);
     this.removed();
   }
 
@@ -159,10 +159,10 @@ class PinLabel implements Label {
     if (!best) return;
     const { vertex } = best;
     if (!app.movePin(this.vertex, vertex)) {
-      app.say(`Vertex ${vertex} is pinned already.`);
+      app.sayOfPins(`Vertex ${vertex} is pinned already.`);
       return;
     }
-    app.say(`Pinned at vertex ${vertex}.`);
+    app.sayOfPins(`Pinned at vertex ${vertex}.`);
     if (!viewer.project(view, vertex)?.visible) viewer.flyTo(view, vertex);
   }
 
@@ -173,7 +173,7 @@ class PinLabel implements Label {
       label: `Value at vertex ${vertex}`,
       step: 1,
       onChange: (next) => app.pin(vertex, next),
-      onRefuse: (why) => app.say(why),
+      onRefuse: (why) => app.refuse(why),
     });
     const input = field.element;
     let open = true;

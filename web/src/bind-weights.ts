@@ -124,12 +124,12 @@ class WeightHandle implements Label {
       },
       end: () => {
         over();
-        app.say(`ω of vertex ${vertex} is ${real(this.weight, 3)}.`);
+        app.say(`ω of vertex ${vertex} is ${real(this.weight, 3)}.`, (state) => [state.vertexWeights]);
       },
       cancel: () => {
         app.setWeights(side, before);
         over();
-        app.say('The weight is as it was.');
+        app.say('The weight is as it was.', (state) => [state.vertexWeights]);
       },
     });
   }

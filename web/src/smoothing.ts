@@ -119,7 +119,8 @@ export class Smoothing {
 
   async reset(): Promise<void> {
     await this.goTo([]);
-    this.app.results.set({ error: null, notice: 'Back to the loaded mesh.' });
+    this.app.results.set({ error: null });
+    this.app.say('Back to the loaded mesh.', ofSteps);
   }
 
   /** What is under way is joined, not doubled. */
@@ -223,9 +224,11 @@ export class Smoothing {
   /** Unless there is other news already. */
   private sayPaused(): void {
     const { notice, a, b } = this.app.results.get();
-    if (notice === playingNotice) this.app.say(`Paused at step ${count(Math.min(a.step, b.step))}.`);
+    if (notice === playingNotice) this.app.say(`Paused at step ${count(Math.min(a.step, b.step))}.`, ofSteps);
   }
 }
+
+const ofSteps = ({ step, source }: State) => [step, source];
 
 const stopNews = (stops: readonly Stop[]): Partial<Results> => ({
   error: stopped(stops),

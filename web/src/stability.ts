@@ -6,7 +6,7 @@ export interface Verdict {
   unstable: boolean;
   /** The limit beside the step, where there is something to compare. */
   compared: string;
-  /** λ_max times h². */
+  /** μ_max times h². */
   roughest: string;
   /** What becomes of the roughest mode. */
   effect: string;

@@ -115,12 +115,12 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
     const above = leaving.filter(([, where]) => where === Outside.above).length;
     const below = leaving.length - above;
     const texts = shown
-      ? [
-          below > 0 && `${count(below)} below ${exact(shown.fixedMin)}`,
-          above > 0 && `${count(above)} above ${exact(shown.fixedMax)}`,
-        ]
+      ? [[below, 'below', shown.fixedMin] as const, [above, 'above', shown.fixedMax] as const].flatMap(
+          ([number, where, end]) =>
+            number > 0 ? [`${plural(number, 'vertex', 'vertices')} ${where} ${exact(end)}`] : [],
+        )
       : [];
-    put(outside, texts.filter(Boolean).join(' · '), shown ? leaving.length : null);
+    put(outside, texts.join(' · '), shown ? leaving.length : null);
   };
   const showEdge = () => {
     const { edge, [side]: own } = app.results.get();

@@ -2,6 +2,7 @@ import type { App } from '../app.js';
 import { type Difference, isDifferent } from '../difference.js';
 import { h, put } from '../dom.js';
 import { exact, real } from '../format.js';
+import { onDrag } from '../scene/drag.js';
 import { gains, type State } from '../state.js';
 import { button, slider } from './controls.js';
 import { ramp } from './ramp.js';
@@ -25,6 +26,18 @@ export function deltaCard(app: App): { element: HTMLElement; view: HTMLElement }
   });
   const divider = h('div', { class: 'divider', 'aria-hidden': 'true' });
   view.append(divider);
+  let before: number | null = null;
+  onDrag(divider, {
+    begin: () => {
+      before = app.state.get().delta.swipe;
+    },
+    move: (x) => {
+      const { left, width } = view.getBoundingClientRect();
+      set({ swipe: Math.min(1, Math.max(0, (x - left) / width)) });
+    },
+    end: () => {},
+    cancel: () => set({ swipe: before }),
+  });
   const gainButtons = gains.map((gain) =>
     button(`× ${gain}`, () => set({ gain, swipe: null }), { 'aria-label': `Difference times ${gain}` }),
   );
@@ -50,6 +63,18 @@ export function deltaCard(app: App): { element: HTMLElement; view: HTMLElement }
   const high = h('output', { 'data-readout': 'delta-high' });
   const scale = h('div', { class: 'parameter scale' }, low, strip.element, high);
   const same = h('p', { class: 'view-caption' });
+  const title = h('span', { class: 'card-title' });
+  const figures = h(
+    'div',
+    { class: 'count' },
+    loud,
+    h(
+      'p',
+      { class: 'count-text' },
+      h('span', { class: 'count-name' }, caption, where),
+      h('span', { class: 'count-share' }, rms),
+    ),
+  );
   const element = h(
     'section',
     { class: 'card', 'data-side': 'delta', 'aria-label': 'Difference of A and B' },
@@ -57,20 +82,10 @@ export function deltaCard(app: App): { element: HTMLElement; view: HTMLElement }
       'header',
       { class: 'card-head' },
       h('span', { class: 'badge', 'aria-hidden': 'true' }, 'Δ'),
-      h('span', { class: 'card-title' }, 'B − A'),
+      title,
       h('div', { class: 'segments', role: 'group', 'aria-label': 'Third view' }, ...gainButtons, swipeButton),
     ),
-    h(
-      'div',
-      { class: 'count' },
-      loud,
-      h(
-        'p',
-        { class: 'count-text' },
-        h('span', { class: 'count-name' }, caption, where),
-        h('span', { class: 'count-share' }, rms),
-      ),
-    ),
+    figures,
     view,
     same,
     h('footer', { class: 'card-foot' }, scale, swipeRow),
@@ -85,6 +100,9 @@ export function deltaCard(app: App): { element: HTMLElement; view: HTMLElement }
       swipeButton.setAttribute('aria-pressed', String(swipe !== null));
       swipeRow.hidden = swipe === null;
       scale.hidden = swipe !== null;
+      // Of the difference, which is not what is seen; its place stays.
+      figures.style.visibility = swipe === null ? '' : 'hidden';
+      title.textContent = swipe === null ? 'B − A' : 'A | B';
       divider.hidden = swipe === null;
       divider.style.left = `${100 * (swipe ?? 0)}%`;
       if (swipe !== null) track.set(swipe, `${Math.round(100 * swipe)} %`);

@@ -39,7 +39,7 @@ export function dualPanel(app: App): HTMLElement {
     min: 0,
     max: 1e12,
     onChange: setMu,
-    onRefuse: (why) => app.say(why),
+    onRefuse: (why) => app.refuse(why),
   });
   field.element.dataset.field = 'mu';
   const layer = (id: keyof Omit<State['dual'], 'mu'>, swatch: string, text: string) => {
@@ -85,6 +85,11 @@ export function dualPanel(app: App): HTMLElement {
         'p',
         { class: 'note' },
         'A point for each face, so that the line between two neighbours is orthogonal to their edge; of all such points those nearest to the barycentres.',
+      ),
+      h(
+        'p',
+        { class: 'note' },
+        'The dual depends on the surface only, not on the operator: A and B differ where their surfaces do.',
       ),
       figures.element,
       verdict,

@@ -17,7 +17,7 @@ export function edgeSection(app: App): HTMLElement {
     step: 1,
     onChange: (edge) => app.readEdge(edge),
     onEmpty: () => app.readEdge(null),
-    onRefuse: (why) => app.say(why),
+    onRefuse: (why) => app.refuse(why),
   });
   field.element.placeholder = 'none';
   field.element.dataset.field = 'edge';

@@ -70,7 +70,7 @@ export function stabilityNotes(app: App): HTMLElement {
       const said = known ? verdict(stability, smooth.timeH2, mesh.meanSquaredEdge) : null;
       note.classList.toggle('negative', said?.unstable ?? false);
       if (!said) {
-        note.replaceChildren(letter, ` ${stability ?? 'λmax …'}`);
+        note.replaceChildren(letter, ` ${stability ?? 'μmax …'}`);
         return;
       }
       const { unstable, compared, roughest, effect } = said;
@@ -78,7 +78,7 @@ export function stabilityNotes(app: App): HTMLElement {
         letter,
         ...(unstable ? [' ', h('strong', {}, 'unstable')] : []),
         `${unstable ? ': ' : ' '}${compared}. `,
-        i('λ'),
+        i('μ'),
         h('sub', {}, 'max'),
         ` = ${roughest}/h²: ${effect}`,
       );
@@ -101,12 +101,13 @@ const keeps: readonly Keep[] = [
   {
     field: 'keepVolume',
     text: 'Keep the volume',
-    without: ({ a }) => (a.shape && a.shape.volume === null ? `none: ${a.shape.noVolume}` : ''),
+    without: ({ mesh, a }) =>
+      mesh && mesh.boundary.length > 0 ? 'the surface is open' : a.shape?.volume === null ? a.shape.noVolume : '',
   },
   {
     field: 'fixBoundary',
     text: 'Fix the boundary',
-    without: ({ mesh }) => (mesh && mesh.boundary.length === 0 ? 'none: it is closed' : ''),
+    without: ({ mesh }) => (mesh && mesh.boundary.length === 0 ? 'the surface is closed' : ''),
   },
 ];
 

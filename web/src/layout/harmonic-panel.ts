@@ -5,7 +5,7 @@ import { sizeOf } from '../colouring.js';
 import { h, put } from '../dom.js';
 import { cleared, count, exact, plural } from '../format.js';
 import type { Harmonic, Mesh } from '../polylap.js';
-import { sides } from '../state.js';
+import { type Pin, sides } from '../state.js';
 import { coloursSection } from './colours-section.js';
 import { button, menu, numberField } from './controls.js';
 import { vertexField } from './number-walk.js';
@@ -21,7 +21,7 @@ export function harmonicPanel(app: App): HTMLElement {
     label: 'Value of the next pin',
     step: 1,
     onChange: setValue,
-    onRefuse: (why) => app.say(why),
+    onRefuse: (why) => app.refuse(why),
   });
   value.element.dataset.field = 'value';
   const quick = [0, 1].map((number) =>
@@ -29,15 +29,18 @@ export function harmonicPanel(app: App): HTMLElement {
   );
   const preset = menu(
     'Values of the boundary',
-    boundaryPresets.map(({ id, label }) => [id, label] as const),
-    () => {},
+    [['', ''] as const, ...boundaryPresets.map(({ id, label }) => [id, label] as const)],
+    () => pinLoops(),
   );
+  const [unchosen, constant] = preset.options;
+  if (unchosen) unchosen.disabled = true;
+  /** What the menu last pinned: as long as it is there, the menu names it. */
+  let chosen: readonly Pin[] | null = null;
   let loops: readonly Loop[] = [];
   /** Of which they are. */
   let loopsOf: Mesh | null = null;
-  const loopMenu = menu('Loop of the boundary', [], () => nameLoop());
+  const loopMenu = menu('Loop of the boundary', [], () => forget());
   const loopLine = h('div', { class: 'line' }, h('span', { class: 'line-name' }, 'Loop'), loopMenu);
-  const pinBoundary = button('Pin', () => pinLoops(), { 'data-action': 'pin-boundary' });
   const clear = button('Clear', () => clearPins(), { 'data-action': 'clear-pins' });
   const example = button(
     'Two pins, 0 and 1',
@@ -59,7 +62,6 @@ export function harmonicPanel(app: App): HTMLElement {
   );
   const verdict = h('p', { class: 'note', 'data-readout': 'verdict' });
   const pinSelected = button('Pin', () => togglePin(), { 'data-action': 'pin-vertex' });
-  const noBoundary = h('p', { class: 'note' });
   const list = h('ol', { class: 'pins' });
   // Takes the focus when the button that had it goes.
   const listTitle = h('h2', { tabindex: -1 });
@@ -72,8 +74,7 @@ export function harmonicPanel(app: App): HTMLElement {
       h('h2', {}, 'Pin values'),
       h('div', { class: 'line' }, h('span', { class: 'line-name' }, 'Click to pin'), value.element, ...quick),
       loopLine,
-      h('div', { class: 'line' }, h('span', { class: 'line-name' }, 'Boundary'), preset, pinBoundary),
-      noBoundary,
+      h('div', { class: 'line' }, h('span', { class: 'line-name' }, 'Boundary'), preset),
       h('div', { class: 'line' }, example, clear),
     ),
     h('section', {}, h('div', { class: 'line' }, vertexField(app), pinSelected), readouts.element, verdict),
@@ -81,9 +82,9 @@ export function harmonicPanel(app: App): HTMLElement {
     h('section', {}, listTitle, list),
   );
 
-  function nameLoop(): void {
-    const which = loopMenu.value === '' ? 'all of the boundary' : `loop ${Number(loopMenu.value) + 1} of the boundary`;
-    pinBoundary.setAttribute('aria-label', `Pin ${which}`);
+  function forget(): void {
+    chosen = null;
+    preset.value = '';
   }
 
   /** All of the boundary and nothing else, or one loop beside what is pinned elsewhere. */
@@ -92,12 +93,12 @@ export function harmonicPanel(app: App): HTMLElement {
     if (!mesh) return;
     const { pins, value } = app.state.get().harmonic;
     const loop = loops[Number(loopMenu.value)];
-    if (loopMenu.value === '' || !loop) {
-      app.setPins(boundaryPins(mesh, loops, preset.value, value));
-      return;
-    }
-    const own = new Set(loop.vertices);
-    app.setPins([...pins.filter(({ vertex }) => !own.has(vertex)), ...boundaryPins(mesh, [loop], preset.value, value)]);
+    const own = new Set(loop?.vertices);
+    chosen =
+      loopMenu.value === '' || !loop
+        ? boundaryPins(mesh, loops, preset.value, value)
+        : [...pins.filter(({ vertex }) => !own.has(vertex)), ...boundaryPins(mesh, [loop], preset.value, value)];
+    app.setPins(chosen);
   }
 
   function clearPins(): void {
@@ -123,7 +124,7 @@ export function harmonicPanel(app: App): HTMLElement {
     (state) => [state.harmonic.value],
     (next) => {
       value.set(next);
-      const [constant] = preset.options;
+      forget();
       if (constant) constant.textContent = `constant ${exact(next)}`;
     },
   );
@@ -140,7 +141,7 @@ export function harmonicPanel(app: App): HTMLElement {
         h('option', { value: k }, `loop ${k + 1}, ${plural(vertices.length, 'vertex', 'vertices')}`),
       ),
     );
-    nameLoop();
+    forget();
   };
   app.state.watch((state) => [state.task], showLoops);
   app.results.watch((results) => [results.mesh], showLoops);
@@ -148,9 +149,8 @@ export function harmonicPanel(app: App): HTMLElement {
     (results) => [results.mesh],
     (mesh) => {
       const bounded = (mesh?.boundary.length ?? 0) > 0;
-      pinBoundary.disabled = !bounded;
       preset.disabled = !bounded;
-      noBoundary.textContent = bounded ? '' : 'This surface is closed: it has no boundary.';
+      if (unchosen) unchosen.textContent = bounded ? 'choose…' : 'no boundary';
     },
   );
   app.state.watch(
@@ -163,6 +163,7 @@ export function harmonicPanel(app: App): HTMLElement {
   app.state.watch(
     (state) => [state.harmonic.pins],
     (pins) => {
+      if (pins !== chosen) forget();
       clear.disabled = pins.length === 0;
       listTitle.textContent = pins.length === 0 ? 'No pins yet' : plural(pins.length, 'pin');
       // A row that is being typed into must not be built anew, nor move.
@@ -247,7 +248,7 @@ function pinRow(
     label: `Value of the pin at vertex ${vertex}`,
     step: 1,
     onChange: (value) => app.pin(vertex, value),
-    onRefuse: (why) => app.say(why),
+    onRefuse: (why) => app.refuse(why),
   });
   const row = h(
     'li',

@@ -27,7 +27,7 @@ function numberWalk(app: App, { name, count, selected, select, walk, keys: [back
     step: 1,
     onChange: select,
     onEmpty: () => select(null),
-    onRefuse: (why) => app.say(why),
+    onRefuse: (why) => app.refuse(why),
   });
   app.state.watch(
     (state) => [selected(state)],

@@ -52,6 +52,7 @@ export function page(app: App, root: HTMLElement, photograph: Photographer): Pag
     (task) => app.setTask(task),
   );
   const narrowTransport = h('div', { class: 'narrow-transport' }, transport(app));
+  const panel = h('aside', { class: 'panel', 'aria-label': 'Controls and readouts' }, ...Object.values(panels));
   const stage = h('div', { class: 'stage' }, cards.a.element, cards.b.element, cards.delta.element, canvas);
   const masthead = header(app, {
     gallery: later(app, root, 'The gallery', async () => (await import('./gallery-dialog.js')).galleryDialog(app)),
@@ -75,14 +76,7 @@ export function page(app: App, root: HTMLElement, photograph: Photographer): Pag
       h('div', { class: 'messages' }, messageLine(app, 'error', leave), messageLine(app, 'report', leave)),
       deltaToggle(app),
     ),
-    h(
-      'main',
-      {},
-      narrowTransport,
-      sideSwitch(app),
-      stage,
-      h('aside', { class: 'panel', 'aria-label': 'Controls and readouts' }, ...Object.values(panels)),
-    ),
+    h('main', {}, narrowTransport, sideSwitch(app), stage, panel),
     statusLine(app),
     help,
     paste,
@@ -92,6 +86,13 @@ export function page(app: App, root: HTMLElement, photograph: Photographer): Pag
     (task) => {
       tasks.show(task);
       narrowTransport.hidden = task !== 'smooth';
+      panel.scrollTop = 0;
+    },
+  );
+  app.results.watch(
+    (results) => [results.mesh],
+    () => {
+      panel.scrollTop = 0;
     },
   );
   app.state.watch(

@@ -83,7 +83,7 @@ export function parameterControls(app: App, side: Side): HTMLElement {
         parameters,
         ` of ${side.toUpperCase()}`,
         (id, value) => app.setParameter(side, id, value),
-        (why) => app.say(why),
+        (why) => app.refuse(why),
       );
       element.replaceChildren(...rows.elements);
     },

@@ -80,7 +80,7 @@ export function smoothPanel(app: App): HTMLElement {
     min: 1e-9,
     max: 1e9,
     onChange: setTime,
-    onRefuse: (why) => app.say(why),
+    onRefuse: (why) => app.refuse(why),
   });
   field.element.dataset.field = 'time';
   const rebuild = h('input', {
@@ -115,6 +115,7 @@ export function smoothPanel(app: App): HTMLElement {
         field.element,
         h('span', { class: 'unit' }, h('i', {}, 'h'), '²'),
       ),
+      h('p', { class: 'note' }, h('i', {}, 'h'), '²: mean squared edge length of the loaded mesh'),
       stabilityNotes(app),
       h(
         'div',

@@ -28,7 +28,7 @@ function weightRow(app: App, side: Side): HTMLElement {
   const field = numberField({
     label: `Weight ω of the vertex on ${letter}, value`,
     onChange: set,
-    onRefuse: (why) => app.say(why),
+    onRefuse: (why) => app.refuse(why),
   });
   field.element.dataset.field = `omega-${side}`;
   const given = h('span', { class: 'note', 'data-readout': 'weighted' });
