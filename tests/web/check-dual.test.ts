@@ -25,7 +25,7 @@ describe('check', () => {
     ] as const) {
       const claims = operators.find((operator) => operator.id === id)?.claims;
       for (const { id: property } of properties)
-        expect(await at.page.locator(`[data-property=${property}] [data-of=${side}] .claim`).textContent()).toBe(
+        expect(await at.page.locator(`[data-property=${property}] .claim[data-of=${side}]`).textContent()).toBe(
           claims?.[property].where,
         );
     }

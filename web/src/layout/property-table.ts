@@ -19,11 +19,15 @@ const signs: Record<Verdict, readonly [sign: string, word: string]> = {
 export function propertyTable(app: App): HTMLElement {
   const rows = properties.map((property) => {
     const cells = { a: h('td', { 'data-of': 'a' }), b: h('td', { 'data-of': 'b' }) };
+    const claims = {
+      a: h('td', { class: 'claim', 'data-of': 'a' }),
+      b: h('td', { class: 'claim', 'data-of': 'b' }),
+    };
     const details = { a: h('div', { 'data-of': 'a' }), b: h('div', { 'data-of': 'b' }) };
     const reasons = h(
       'tr',
       { class: 'reasons', id: newId('reasons'), hidden: true },
-      h('td', { colspan: 3 }, h('p', {}, property.meaning), details.a, details.b),
+      h('td', { colspan: 5 }, h('p', {}, property.meaning), details.a, details.b),
     );
     const opener = button(property.label, () => open(reasons.hidden === true), {
       class: 'opener',
@@ -34,8 +38,16 @@ export function propertyTable(app: App): HTMLElement {
       reasons.hidden = !opened;
       opener.setAttribute('aria-expanded', String(opened));
     };
-    const row = h('tr', { 'data-property': property.id }, h('th', { scope: 'row' }, opener), cells.a, cells.b);
-    return { property, cells, details, row, reasons, open };
+    const row = h(
+      'tr',
+      { 'data-property': property.id },
+      h('th', { scope: 'row' }, opener),
+      claims.a,
+      cells.a,
+      claims.b,
+      cells.b,
+    );
+    return { property, claims, cells, details, row, reasons, open };
   });
   const all = button(
     'All reasons',
@@ -54,27 +66,37 @@ export function propertyTable(app: App): HTMLElement {
       'table',
       { class: 'readouts properties' },
       h('caption', { class: 'unseen' }, 'Properties, claimed and measured'),
-      h('thead', {}, h('tr', {}, h('td', {}), h('th', { scope: 'col' }, 'A'), h('th', { scope: 'col' }, 'B'))),
+      h('colgroup', {}, h('col'), ...sides.flatMap(() => [h('col'), h('col', { class: 'found' })])),
+      h(
+        'thead',
+        {},
+        h('tr', {}, h('td', {}), ...['A', 'B'].map((side) => h('th', { scope: 'colgroup', colspan: 2 }, side))),
+        h(
+          'tr',
+          {},
+          h('td', {}),
+          ...sides.flatMap(() => ['claim', 'here'].map((what) => h('th', { scope: 'col' }, what))),
+        ),
+      ),
       h('tbody', {}, ...rows.flatMap(({ row, reasons }) => [row, reasons])),
     ),
     h(
       'p',
       { class: 'note' },
-      'The word is the claim: yes, planar (where faces are planar), triangles (on triangle meshes), some (with the initial parameters, not with all) or no. Measured here: ✓ holds, ✗ fails, – not measured.',
+      'Claim: yes, planar (where faces are planar), triangles (on triangle meshes), some (with the initial parameters, not with all) or no. Here, as measured: ✓ holds, ✗ fails, – not measured.',
     ),
   );
   for (const side of sides) {
     const show = () => {
       const operator = operatorOf(app.state.get().sides[side]);
       const results = app.results.get()[side];
-      for (const { property, cells, details } of rows) {
+      for (const { property, claims, cells, details } of rows) {
         const { where, why } = operator.claims[property.id];
         const finding = findingOf(results, property.id);
         const [sign, word] = signs[finding.verdict];
         const broken = where === 'yes' && finding.verdict === 'fails';
+        claims[side].textContent = where;
         cells[side].replaceChildren(
-          h('span', { class: 'claim' }, where),
-          ' ',
           finding.vertices.length > 0
             ? button(sign, () => app.show({ side, vertices: finding.vertices }), {
                 class: `verdict ${finding.verdict}`,
@@ -86,7 +108,7 @@ export function propertyTable(app: App): HTMLElement {
                 'span',
                 { class: `verdict ${finding.verdict}`, 'data-verdict': finding.verdict },
                 h('span', { 'aria-hidden': 'true' }, sign),
-                h('span', { class: 'unseen' }, `, ${word}`),
+                h('span', { class: 'unseen' }, word),
               ),
         );
         details[side].replaceChildren(
