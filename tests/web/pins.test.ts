@@ -178,6 +178,61 @@ describe('labels of pins', () => {
   });
 });
 
+describe('labels of pins in a small view', () => {
+  interface Placed {
+    vertex: number;
+    own: number;
+    others: number;
+  }
+  /** Of each label that is seen, how far it is from its pin and from the nearest other one. */
+  const placed = () =>
+    at.page.evaluate(() => {
+      const { pins } = globalThis.polylap.state().harmonic;
+      const dots = pins.map(({ vertex }) => ({ vertex, at: globalThis.polylap.project('a', vertex) }));
+      const labels = [...document.querySelectorAll('[data-view=a] .pin-label:not(.unplaced)')];
+      return labels.map((label): Placed => {
+        const box = label.getBoundingClientRect();
+        const vertex = Number(/vertex (\d+)/.exec(label.innerHTML)?.[1]);
+        const away = dots.map((dot) => {
+          const { x, y } = dot.at ?? { x: 0, y: 0 };
+          const distance = Math.hypot(
+            Math.max(box.left - x, 0, x - box.right),
+            Math.max(box.top - y, 0, y - box.bottom),
+          );
+          return { vertex: dot.vertex, distance };
+        });
+        return {
+          vertex,
+          own: away.find((each) => each.vertex === vertex)?.distance ?? Number.NaN,
+          others: Math.min(...away.filter((each) => each.vertex !== vertex).map(({ distance }) => distance)),
+        };
+      });
+    });
+
+  it('are right beside their own, or left out until they are pointed at', async () => {
+    const { page } = at;
+    await page.setViewportSize({ width: 900, height: 500 });
+    await page.locator('[data-view=a]').scrollIntoViewIfNeeded();
+    await page.mouse.move(2, 2);
+    await expect.poll(async () => (await placed()).length, { timeout: 10_000 }).toBeLessThan(32);
+    const labels = await placed();
+    await picture(page, 'pins-small');
+    expect(labels.length).toBeGreaterThan(2);
+    for (const { own, others } of labels) {
+      expect(own).toBeLessThan(11);
+      expect(others).toBeGreaterThan(own);
+    }
+    const seen = new Set(labels.map(({ vertex }) => vertex));
+    const without = (await pins(page)).find(({ vertex }) => !seen.has(vertex))?.vertex ?? -1;
+    const { x, y } = await place('a', without);
+    await page.mouse.move(x, y);
+    await label('a', without).waitFor();
+    await page.mouse.move(2, 2);
+    await label('a', without).waitFor({ state: 'hidden' });
+    await page.setViewportSize({ width: 1440, height: 900 });
+  });
+});
+
 describe('the boundary', () => {
   it('is pinned loop by loop', async () => {
     const { page } = at;

@@ -1,4 +1,4 @@
-import type { Camera } from 'three';
+import { type Camera, Vector3 } from 'three';
 import { h } from '../dom.js';
 import type { Content } from './content.js';
 import { hidden } from './ray.js';
@@ -6,6 +6,10 @@ import { hidden } from './ray.js';
 /** More labels than this would cover the mesh. */
 export const labelLimit = 40;
 const labelHeight = 24;
+/** From a vertex to its label, in pixels. */
+const gap = 9;
+/** A label this near to another's vertex would be taken for that one's. */
+const clearance = 13;
 /** Ray tests per label and frame that stay unnoticed. */
 const testLimit = 3_000_000;
 
@@ -15,14 +19,26 @@ export interface Label {
   element: HTMLElement;
 }
 
+interface Point {
+  x: number;
+  y: number;
+}
+
+/** As high as all labels. */
+interface Box extends Point {
+  width: number;
+}
+
 /**
- * Small controls beside vertices; out of sight where the surface hides the vertex or another label is in the way, except for the one in use.
+ * Small controls right beside vertices; out of sight where the surface hides the vertex or there is no room, except for the one in use.
  * One stop of the Tab key; Page Up and Page Down go from one to the next.
  */
 export class Labels {
   private readonly layer = h('div', { class: 'labels' });
   private readonly groups = new Map<string, readonly Label[]>();
   private stop: HTMLElement | null = null;
+  /** The vertex under the pointer: its label comes before others. */
+  hovered: number | null = null;
 
   constructor(view: HTMLElement) {
     view.append(this.layer);
@@ -68,34 +84,41 @@ export class Labels {
     const { triangles } = content.geometry;
     const eye = content.toModel(camera.position);
     const testable = (labels.length * triangles.length) / 3 <= testLimit;
-    const taken: { x: number; y: number; width: number }[] = [];
-    const wishes = labels
+    const on = (at: Vector3) => ({ x: ((at.x + 1) / 2) * width, y: ((1 - at.y) / 2) * height });
+    // Of the loaded mesh, whose positions are relative to it.
+    const middle = on(new Vector3().project(camera));
+    const inView = labels.map(({ vertex, element }) => {
+      const at = content.placeOf(vertex).project(camera);
+      const used = element.matches('.dragged, :focus-within');
+      // Pointing at one that is placed already moves none.
+      const revealed =
+        (vertex === this.hovered || element.matches(':hover')) && element.matches('.unplaced, .revealed');
+      element.classList.toggle('revealed', revealed);
+      const there = at.z < 1 && !(testable && hidden(eye, vertex, points, triangles));
+      return { vertex, element, used, wanted: used || revealed, there, depth: at.z, dot: on(at) };
+    });
+    const dots = inView.filter(({ there }) => there).map(({ dot }) => dot);
+    const wishes = inView
       .map((label) => {
-        const own = label.element.offsetWidth;
-        const at = content.placeOf(label.vertex).project(camera);
-        const [px, py] = [((at.x + 1) / 2) * width, ((1 - at.y) / 2) * height];
-        const spots = [py - labelHeight - 2, py + 2].flatMap((y) => [px + 9, px - 9 - own].map((x) => ({ x, y })));
-        const fits = ({ x, y }: { x: number; y: number }) =>
-          at.z < 1 && x >= 0 && y >= 0 && x + own <= width && y + labelHeight <= height;
-        const used = label.element.matches('.dragged, :focus-within');
-        const room = spots.filter(fits);
-        // Whatever is in use stays in view.
-        const edge = { x: clamp(px + 9, width - own), y: clamp(py - labelHeight - 2, height - labelHeight) };
-        return { label, own, used, depth: at.z, spots: used && room.length === 0 ? [edge] : room };
-      })
-      // What is in use goes first, then who has the least choice, then who is nearest.
-      .sort((p, q) => Number(q.used) - Number(p.used) || p.spots.length - q.spots.length || p.depth - q.depth);
-    for (const { label, own, used, spots } of wishes) {
-      const { vertex, element } = label;
-      const free = ({ x, y }: { x: number; y: number }) =>
-        taken.every(
-          (other) => x + own + 2 < other.x || other.x + other.width + 2 < x || Math.abs(y - other.y) > labelHeight,
+        const { element, used, wanted, there, dot } = label;
+        const own = element.offsetWidth;
+        const inside = spotsAround(dot, own, middle).filter(
+          ({ x, y }) => x >= 0 && y >= 0 && x + own <= width && y + labelHeight <= height,
         );
-      const spot = spots.find(free);
-      const seen = spot && (used || !(testable && hidden(eye, vertex, points, triangles)));
-      element.classList.toggle('unplaced', !seen);
-      if (!seen) continue;
-      taken.push({ ...spot, width: own });
+        const room = inside.filter((spot) => dots.every((other) => other === dot || distance(spot, other) > clearance));
+        if (wanted) room.push(...inside);
+        // Whatever is in use stays in view.
+        if (used) room.push(within(dot, own, width, height));
+        return { ...label, spots: used || there ? room : [] };
+      })
+      // What is wanted goes first, then who has the least choice, then who is nearest.
+      .sort((p, q) => Number(q.wanted) - Number(p.wanted) || p.spots.length - q.spots.length || p.depth - q.depth);
+    const taken: Box[] = [];
+    for (const { element, spots } of wishes) {
+      const spot = spots.find((box) => taken.every((other) => apart(box, other)));
+      element.classList.toggle('unplaced', !spot);
+      if (!spot) continue;
+      taken.push(spot);
       element.style.transform = `translate(${Math.round(spot.x)}px, ${Math.round(spot.y)}px)`;
     }
     const placed = this.controls().filter(({ element }) => !element.classList.contains('unplaced'));
@@ -103,4 +126,28 @@ export class Labels {
   }
 }
 
-const clamp = (value: number, most: number) => Math.max(0, Math.min(value, most));
+/** Beside a vertex, at each side and at each corner; the farther out from the middle of the mesh, the better. */
+function spotsAround({ x, y }: Point, width: number, middle: Point): Box[] {
+  const spots = [-1, 0, 1].flatMap((down) =>
+    [1, 0, -1].flatMap((right) => {
+      if (right === 0 && down === 0) return [];
+      const offX = right * (gap + width / 2);
+      const offY = down * ((right === 0 ? gap : 2) + labelHeight / 2);
+      const out = (offX * (x - middle.x) + offY * (y - middle.y)) / Math.hypot(offX, offY);
+      return { out, box: { x: x + offX - width / 2, y: y + offY - labelHeight / 2, width } };
+    }),
+  );
+  return spots.sort((p, q) => q.out - p.out).map(({ box }) => box);
+}
+
+function within({ x, y }: Point, own: number, width: number, height: number): Box {
+  const clamp = (value: number, most: number) => Math.max(0, Math.min(value, most));
+  return { x: clamp(x + gap, width - own), y: clamp(y - labelHeight - 2, height - labelHeight), width: own };
+}
+
+const apart = (one: Box, other: Box) =>
+  one.x + one.width + 2 < other.x || other.x + other.width + 2 < one.x || Math.abs(one.y - other.y) > labelHeight;
+
+function distance({ x, y, width }: Box, point: Point): number {
+  return Math.hypot(Math.max(x - point.x, 0, point.x - x - width), Math.max(y - point.y, 0, point.y - y - labelHeight));
+}

@@ -145,6 +145,10 @@ export class Viewer {
   /** @param vertex under the pointer, or null */
   hover(vertex: number | null): void {
     this.ring.set(vertex);
+    for (const view of views) {
+      this.labels[view].hovered = vertex;
+      this.placeLabels(view, this.places[view].getBoundingClientRect());
+    }
   }
 
   setLabels(view: View, group: string, labels: readonly Label[]): void {
