@@ -80,6 +80,12 @@ describe('in the page', () => {
     return (await plot(name).locator(`tbody td:nth-child(${number})`).allTextContents()).map(Number);
   };
 
+  const fill = (bar: string) =>
+    plot('weights-a')
+      .locator(bar)
+      .first()
+      .evaluate((element) => getComputedStyle(element).fill);
+
   it('draws the weights of both sides, and gives their numbers', async () => {
     const { page } = at;
     await page.waitForFunction(() => globalThis.polylap.results().b.matrices !== null);
@@ -98,6 +104,19 @@ describe('in the page', () => {
     const lines = (await readFile(await download.path(), 'utf8')).trimEnd().split('\n');
     expect(lines[0]).toBe('from,to,weights');
     expect(lines.slice(1).reduce((sum, line) => sum + Number(line.split(',')[2]), 0)).toBe(4096);
+    const [drawing] = await Promise.all([
+      page.waitForEvent('download'),
+      page.locator('[data-action=svg-weights-a]').click(),
+    ]);
+    expect(drawing.suggestedFilename()).toBe('weights-a.svg');
+    const svg = await readFile(await drawing.path(), 'utf8');
+    const bars = await page.evaluate((markup) => {
+      const { documentElement } = new DOMParser().parseFromString(markup, 'image/svg+xml');
+      return [...documentElement.querySelectorAll('rect')].map((bar) => bar.getAttribute('fill'));
+    }, svg);
+    expect(bars).toHaveLength(await plot('weights-a').locator('.bar').count());
+    expect(new Set(bars)).toEqual(new Set([await fill('.bar.minus'), await fill('.bar:not(.minus)')]));
+    expect(svg).not.toContain('class=');
     await picture(page, 'plots');
   });
 

@@ -119,7 +119,16 @@ export async function stencilFile(app: App, side: Side): Promise<SavedFile | nul
   }
 }
 
-const styled = ['fill', 'stroke', 'stroke-width', 'stroke-dasharray', 'stroke-linecap', 'stroke-linejoin', 'font'];
+const styled = [
+  'fill',
+  'stroke',
+  'stroke-width',
+  'stroke-dasharray',
+  'stroke-linecap',
+  'stroke-linejoin',
+  'font',
+  'text-anchor',
+];
 
 /** An SVG that needs no style sheet. */
 export function standalone(drawn: SVGSVGElement): string {

@@ -1,5 +1,5 @@
 import { h } from '../dom.js';
-import { save } from '../exports.js';
+import { save, standalone } from '../exports.js';
 import { csv } from '../numbers-text.js';
 
 type Cell = string | number | null;
@@ -9,17 +9,23 @@ export function figure(title: string, name: string) {
   const drawing = h('div', { class: 'drawing' });
   const table = h('table', { class: 'readouts' });
   let numbers: { head: readonly string[]; rows: readonly (readonly Cell[])[] } = { head: [], rows: [] };
-  const write = h(
-    'button',
-    {
-      type: 'button',
-      class: 'quiet',
-      'data-action': `csv-${name}`,
-      onclick: () => save({ name: `${name}.csv`, contents: new Blob([csv(numbers.head, numbers.rows)]) }),
-    },
-    'CSV',
-  );
-  const details = h('details', {}, h('summary', {}, 'Numbers'), table, write);
+  const writer = (kind: 'csv' | 'svg', contents: () => string) =>
+    h(
+      'button',
+      {
+        type: 'button',
+        class: 'quiet',
+        'data-action': `${kind}-${name}`,
+        onclick: () => save({ name: `${name}.${kind}`, contents: new Blob([contents()]) }),
+      },
+      kind.toUpperCase(),
+    );
+  const writeNumbers = writer('csv', () => csv(numbers.head, numbers.rows));
+  const writePicture = writer('svg', () => {
+    const svg = drawing.querySelector('svg');
+    return svg ? standalone(svg) : '';
+  });
+  const details = h('details', {}, h('summary', {}, 'Numbers'), table, writeNumbers, writePicture);
   // Long tables are built only for those who look at them.
   details.addEventListener('toggle', () => fill());
   const fill = () => {
