@@ -7,12 +7,8 @@ import { csv, matrixMarket } from './numbers-text.js';
 import type { MeshFormat, Row, Side } from './polylap.js';
 import { known } from './results.js';
 import { drawnWeights, entriesOf, largestWeight } from './rows.js';
+import { type SavedFile, standalone } from './saving.js';
 import { nameOf, operatorOf, type State, sides } from './state.js';
-
-export interface SavedFile {
-  name: string;
-  contents: Blob;
-}
 
 const text = (name: string, contents: string): SavedFile => ({ name, contents: new Blob([contents]) });
 
@@ -119,42 +115,4 @@ export async function stencilFile(app: App, side: Side): Promise<SavedFile | nul
   }
 }
 
-const styled = [
-  'fill',
-  'stroke',
-  'stroke-width',
-  'stroke-dasharray',
-  'stroke-linecap',
-  'stroke-linejoin',
-  'font',
-  'text-anchor',
-];
-
-/** An SVG that needs no style sheet. */
-export function standalone(drawn: SVGSVGElement): string {
-  const copy = drawn.cloneNode(true) as SVGSVGElement;
-  const originals = [drawn, ...drawn.querySelectorAll<SVGElement>('*')];
-  for (const [k, element] of [copy, ...copy.querySelectorAll<SVGElement>('*')].entries()) {
-    const style = getComputedStyle(originals[k] as SVGElement);
-    for (const property of styled) element.setAttribute(property, style.getPropertyValue(property));
-    element.removeAttribute('class');
-  }
-  const { width, height } = drawn.viewBox.baseVal;
-  copy.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
-  copy.setAttribute('width', String(width));
-  copy.setAttribute('height', String(height));
-  copy.removeAttribute('aria-hidden');
-  return new XMLSerializer().serializeToString(copy);
-}
-
 export const pictureName = (app: App, view: string) => `${stem(app)}-${view}.png`;
-
-/** Hands a file to the browser. */
-export function save({ name, contents }: SavedFile): void {
-  const url = URL.createObjectURL(contents);
-  const link = document.createElement('a');
-  link.href = url;
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(url), 60_000);
-}

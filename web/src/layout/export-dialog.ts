@@ -6,14 +6,13 @@ import {
   matrixFile,
   pictureName,
   rowFile,
-  type SavedFile,
-  save,
   stencilFile,
   surfaceFile,
   valuesFile,
 } from '../exports.js';
 import { explain } from '../messages.js';
 import type { MeshFormat, Side } from '../polylap.js';
+import { type SavedFile, save } from '../saving.js';
 import { sides, type View } from '../state.js';
 import { button, menu, newId } from './controls.js';
 

@@ -1,10 +1,10 @@
 import type { App } from '../app.js';
 import { h } from '../dom.js';
-import { save } from '../exports.js';
 import { real, weight } from '../format.js';
 import { csv } from '../numbers-text.js';
 import type { FaceReport, Side } from '../polylap.js';
 import { known, type Results } from '../results.js';
+import { save } from '../saving.js';
 import { operatorOf, sides } from '../state.js';
 import { button } from './controls.js';
 import { faceDrawing } from './face-drawing.js';

@@ -7,7 +7,6 @@ import { card } from './card.js';
 import { checkPanel } from './check-panel.js';
 import { button } from './controls.js';
 import { deltaCard } from './delta-card.js';
-import { helpDialog, pasteDialog } from './dialogs.js';
 import { dualPanel } from './dual-panel.js';
 import type { Photographer } from './export-dialog.js';
 import { harmonicPanel } from './harmonic-panel.js';
@@ -28,8 +27,7 @@ export interface Page {
 
 /** The whole document, in reading order. */
 export function page(app: App, root: HTMLElement, photograph: Photographer): Page {
-  const help = helpDialog();
-  const paste = pasteDialog(app);
+  const help = later(app, root, 'Help', async () => (await import('./dialogs.js')).helpDialog());
   const files = intake(app, root);
   const cards = { a: card(app, 'a'), b: card(app, 'b'), delta: deltaCard(app) };
   const canvas = h('canvas', { class: 'scene', 'aria-hidden': 'true' });
@@ -57,13 +55,13 @@ export function page(app: App, root: HTMLElement, photograph: Photographer): Pag
   const masthead = header(app, {
     gallery: later(app, root, 'The gallery', async () => (await import('./gallery-dialog.js')).galleryDialog(app)),
     open: files.pick,
-    paste: () => paste.showModal(),
+    paste: later(app, root, 'The field to paste into', async () => (await import('./dialogs.js')).pasteDialog(app)),
     make: later(app, root, 'What can be made', async () => (await import('./make-dialog.js')).makeDialog(app)),
     share: later(app, root, 'The link', async () => (await import('./share-dialog.js')).shareDialog(app)),
     save: later(app, root, 'What can be saved', async () =>
       (await import('./export-dialog.js')).exportDialog(app, photograph),
     ),
-    help: () => help.showModal(),
+    help,
   });
   const leave = () => tasks.element.querySelector<HTMLElement>('[aria-selected=true]')?.focus();
   masthead.append(files.element);
@@ -78,8 +76,6 @@ export function page(app: App, root: HTMLElement, photograph: Photographer): Pag
     ),
     h('main', {}, narrowTransport, sideSwitch(app), stage, panel),
     statusLine(app),
-    help,
-    paste,
   );
   app.state.watch(
     (state) => [state.task],
@@ -107,7 +103,7 @@ export function page(app: App, root: HTMLElement, photograph: Photographer): Pag
       stage.dataset.delta = String(open);
     },
   );
-  return { canvas, views: { a: cards.a.view, b: cards.b.view, delta: cards.delta.view }, help: () => help.showModal() };
+  return { canvas, views: { a: cards.a.view, b: cards.b.view, delta: cards.delta.view }, help };
 }
 
 /** Where there is room for three views. */

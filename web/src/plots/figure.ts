@@ -1,6 +1,6 @@
 import { h } from '../dom.js';
-import { save, standalone } from '../exports.js';
 import { csv } from '../numbers-text.js';
+import { save, standalone } from '../saving.js';
 
 type Cell = string | number | null;
 
