@@ -4,9 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <regex>
 #include <set>
+#include <sstream>
 #include <string>
+#include <string_view>
 
 #include "polylap/mesh/shapes.hpp"
 #include "polylap/operators/alexa_wardetzky.hpp"
@@ -29,17 +30,31 @@ bool is_kebab_case(std::string_view id) {
 
 /// key → what is between its braces; `type` and `key` of the entry itself too.
 std::map<std::string, std::string> fields_of(const std::string& bibtex) {
-    static const std::regex head(R"(@([a-z]+)\{([a-z]+[0-9]{4}),\n)");
-    static const std::regex field(R"(  ([a-z]+) = \{(.+)\},?\n)");
-    std::smatch found;
-    if (!std::regex_search(bibtex, found, head, std::regex_constants::match_continuous)) return {};
-    std::map<std::string, std::string> fields{{"type", found[1]}, {"key", found[2]}};
-    auto at = found[0].second;
-    while (std::regex_search(at, bibtex.end(), found, field, std::regex_constants::match_continuous)) {
-        EXPECT_TRUE(fields.emplace(found[1].str() == "type" ? "kind" : found[1].str(), found[2]).second) << found[1];
-        at = found[0].second;
+    constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz";
+    std::istringstream lines(bibtex);
+    std::string line;
+    std::getline(lines, line);
+    const auto open = line.find('{');
+    if (line.empty() || line.front() != '@' || line.back() != ',' || open == std::string::npos) return {};
+    std::map<std::string, std::string> fields{{"type", line.substr(1, open - 1)},
+                                              {"key", line.substr(open + 1, line.size() - open - 2)}};
+    const std::string& key = fields["key"];
+    EXPECT_EQ(fields["type"].find_first_not_of(letters), std::string::npos) << line;
+    EXPECT_EQ(key.find_first_not_of(letters) + 4, key.size()) << "a name and a year: " << key;
+    while (std::getline(lines, line) && line != "}") {
+        if (line.back() == ',') line.pop_back();
+        const auto equals = line.find(" = {");
+        if (line.substr(0, 2) != "  " || equals == std::string::npos || line.back() != '}') {
+            ADD_FAILURE() << line;
+            continue;
+        }
+        const std::string name = line.substr(2, equals - 2);
+        EXPECT_EQ(name.find_first_not_of(letters), std::string::npos) << name;
+        const std::string value = line.substr(equals + 4, line.size() - equals - 5);
+        EXPECT_TRUE(fields.emplace(name == "type" ? "kind" : name, value).second) << name;
     }
-    EXPECT_EQ(std::string(at, bibtex.end()), "}");
+    EXPECT_EQ(line, "}");
+    EXPECT_FALSE(std::getline(lines, line)) << line;
     return fields;
 }
 
