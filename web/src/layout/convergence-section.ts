@@ -4,13 +4,11 @@ import { count, real } from '../format.js';
 import type { ConvergenceStudy, Side } from '../polylap.js';
 import { known } from '../results.js';
 import { operatorOf, sides, studied } from '../state.js';
-import { button } from './controls.js';
+import { askedSection } from './asked-section.js';
 
-/** Whether the two operators approach the smooth one on finer and finer meshes: a study for the asking. */
+/** Whether the two operators approach the smooth one on finer and finer meshes. */
 export function convergenceSection(app: App): HTMLElement {
-  const ask = button('Study convergence', () => void app.answers.study(), { 'data-action': 'study' });
   const tables = h('div', { class: 'studies' });
-  const trouble = h('p', { class: 'note' });
   const show = () => {
     const { a, b } = app.results.get();
     const studies = { a: known(a.study) ?? [], b: known(b.study) ?? [] };
@@ -20,29 +18,17 @@ export function convergenceSection(app: App): HTMLElement {
         familyTable(app, family, (side) => studies[side].find((study) => study.family === family)),
       ),
     );
-    trouble.textContent = sides
-      .flatMap((side) => {
-        const { study } = app.results.get()[side];
-        return typeof study === 'string' ? [`${side.toUpperCase()}: ${study}`] : [];
-      })
-      .join(' ');
   };
-  app.results.watch((results) => [results.a.study, results.b.study], show);
-  app.results.watch(
-    (results) => [results.busy],
-    (busy) => {
-      ask.disabled = busy !== null;
-    },
-  );
-  return h(
-    'section',
-    {},
-    h('h2', {}, 'Convergence'),
-    h('p', { class: 'note' }, 'The error against the smooth operator on finer and finer meshes of the study’s own.'),
-    h('div', { class: 'buttons' }, ask),
-    trouble,
-    tables,
-  );
+  return askedSection(app, {
+    title: 'Convergence',
+    note: ['The error against the smooth operator on finer and finer meshes of the study’s own.'],
+    label: 'Study convergence',
+    action: 'study',
+    ask: () => app.answers.study(),
+    found: ({ study }) => study,
+    body: tables,
+    show,
+  });
 }
 
 function familyTable(app: App, family: string, studyOf: (side: Side) => ConvergenceStudy | undefined): HTMLElement {
