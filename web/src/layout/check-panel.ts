@@ -42,7 +42,7 @@ function numbers(app: App): HTMLElement {
     { id: 'components', name: 'parts of the mesh' },
     { id: 'condition', name: 'condition number' },
     { id: 'smallest-mass', name: 'smallest mass' },
-    { id: 'smallest-mass-vertex', name: 'at' },
+    { id: 'smallest-mass-vertex', name: 'at vertex' },
   ]);
   for (const side of sides) {
     app.results.watch(
@@ -67,7 +67,12 @@ function numbers(app: App): HTMLElement {
           side,
           vertex < 0
             ? { text: '–' }
-            : { text: `vertex ${vertex}`, value: vertex, act: () => app.show({ side, vertices: [vertex] }) },
+            : {
+                text: count(vertex),
+                value: vertex,
+                label: `vertex ${count(vertex)}`,
+                act: () => app.show({ side, vertices: [vertex] }),
+              },
         );
       },
     );

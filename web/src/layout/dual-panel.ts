@@ -22,7 +22,7 @@ export function dualPanel(app: App): HTMLElement {
     { id: 'rank', name: 'rank' },
     { id: 'null-space', name: 'null space' },
     { id: 'shift', name: 'largest shift' },
-    { id: 'shift-face', name: 'at' },
+    { id: 'shift-face', name: 'at face' },
   ]);
   const verdict = h('p', { class: 'verdict-text', 'data-readout': 'dual-verdict' });
   const again = button('Compute', () => app.answers.updateBoth(), { 'data-action': 'dual-again' });
@@ -150,7 +150,8 @@ export function dualPanel(app: App): HTMLElement {
           side,
           mesh && face >= 0
             ? {
-                text: `face ${face}`,
+                text: count(face),
+                label: `face ${count(face)}`,
                 value: face,
                 act: () => app.show({ side, vertices: cornersOf(mesh.geometry, face) }),
               }

@@ -7,6 +7,8 @@ export interface Cell {
   class?: string;
   /** Makes the text a button. */
   act?: () => void;
+  /** Of the button: its text and what it is the number of. */
+  label?: string;
 }
 
 /** A table A | B whose rows stay where they are while their numbers change. */
@@ -36,7 +38,7 @@ export function sideTable(caption: string, rows: readonly { id: string; name: st
     const target = cells.get(id)?.[side === 'a' ? 0 : 1];
     if (!target) return;
     put(target, cell.text, cell.value);
-    if (cell.act) target.replaceChildren(button(cell.text, cell.act, { class: 'place' }));
+    if (cell.act) target.replaceChildren(button(cell.text, cell.act, { class: 'place', 'aria-label': cell.label }));
     target.className = cell.class ?? '';
   };
   const rename = (id: string, name: string) => {
