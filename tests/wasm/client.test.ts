@@ -44,6 +44,22 @@ describe('calls', () => {
     expect(bytes.length).toBe(text.length);
   });
 
+  it('opens arrays, and keeps a copy of them', async () => {
+    const { open, fromArrays } = await start().then((c) => ({
+      open: c.open.bind(c),
+      fromArrays: c.fromArrays.bind(c),
+    }));
+    const { geometry } = await open(readMesh('grid-2x2.obj'), 'grid.obj');
+    const coordinates = Float64Array.from(geometry.positions);
+    const { offsets, corners } = geometry;
+    const [opened] = [fromArrays({ coordinates, offsets, corners }, 'squares'), coordinates.fill(NaN)];
+    expect(await opened).toMatchObject({ name: 'squares', vertices: 9, faces: 4 });
+    expect((await opened).geometry.corners).toEqual(corners);
+    expect((await failure(fromArrays({ coordinates, offsets, corners }, 'nowhere'))).message).toMatch(/vertex 0/);
+    const half = { coordinates: Float64Array.of(0, 0), offsets, corners };
+    expect((await failure(fromArrays(half, 'half'))).code).toBe('bad-argument');
+  });
+
   it('opens with repair', async () => {
     const { open } = await start().then((c) => ({ open: c.open.bind(c) }));
     const twice = `${readMesh('grid-2x2.obj')}\nf 1 2 5 4\nf 1 1 2\n`;

@@ -2,7 +2,7 @@
 import { PolylapError } from './error.js';
 import type { ConversionSpec, OperatorSpec, ShapeSpec } from './generated.js';
 import type { Settings } from './raw.js';
-import type { Flow, OpenOptions, SmoothOptions, SmoothRunOptions } from './types.js';
+import type { Flow, MeshArrays, OpenOptions, SmoothOptions, SmoothRunOptions } from './types.js';
 
 export function badArgument(message: string, element?: number): PolylapError {
   return new PolylapError('bad-argument', message, element);
@@ -205,4 +205,14 @@ export async function ownBytes(contents: Uint8Array | ArrayBuffer | Blob | strin
   } catch (error) {
     throw badArgument(`the file cannot be read: ${messageOf(error)}`);
   }
+}
+
+/** A mesh as the core takes it. */
+export function ownArrays(arrays: MeshArrays): MeshArrays {
+  const { coordinates, offsets, corners } = fields(arrays, 'the arrays of a mesh');
+  return {
+    coordinates: numbers(Float64Array, coordinates, 'coordinates', realNumber),
+    offsets: numbers(Int32Array, offsets, 'offsets', wholeNumber),
+    corners: numbers(Int32Array, corners, 'corners', wholeNumber),
+  };
 }

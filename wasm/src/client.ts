@@ -9,7 +9,9 @@ import {
   conversionParts,
   oneOf,
   openOptions,
+  ownArrays,
   ownBytes,
+  ownCopy,
   ownOperator,
   runOf,
   shapeParts,
@@ -136,6 +138,10 @@ class WorkerClient implements Client {
   async make(shape: ShapeSpec, run: Run = {}): Promise<Mesh> {
     const { id, settings, noise } = shapeParts(shape);
     return this.#open({ spec: { shape: id, ...settings, noise } as ShapeSpec }, id, runOf(run));
+  }
+
+  async fromArrays(arrays: MeshArrays, name: string, run: Run = {}): Promise<Mesh> {
+    return this.#open({ arrays: ownCopy(ownArrays(arrays)) }, text(name, 'the name of a mesh'), runOf(run));
   }
 
   async convergence(spec: OperatorSpec, run: Run = {}): Promise<ConvergenceStudy[]> {

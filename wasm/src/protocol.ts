@@ -26,7 +26,10 @@ import type {
 } from './types.js';
 
 /** From what a mesh is made. */
-export type Source = { bytes: Uint8Array; name: string; options: OpenOptions } | { spec: ShapeSpec };
+export type Source =
+  | { bytes: Uint8Array; name: string; options: OpenOptions }
+  | { spec: ShapeSpec }
+  | { arrays: MeshArrays };
 
 export interface Opened {
   info: MeshInfo;

@@ -2,7 +2,7 @@
 import { fields, messageOf, wholeNumber } from './check.js';
 import { CoreStopped, PolylapError } from './error.js';
 import type { OperatorSpec } from './generated.js';
-import type { CallName, FromWorker, Gives, Opened, Request, RequestOf, Takes, ToWorker } from './protocol.js';
+import type { CallName, FromWorker, Gives, Opened, Request, RequestOf, Source, Takes, ToWorker } from './protocol.js';
 import type { Polylap, Session } from './session.js';
 import type { Smoothed } from './types.js';
 
@@ -148,11 +148,13 @@ class Server {
   }
 
   #open({ mesh, source }: Takes<'open'>, onProgress: (fraction: number) => undefined): Opened {
-    const session =
-      'bytes' in source
-        ? this.#polylap.open(source.bytes, source.name, { ...source.options, onProgress })
-        : this.#polylap.make(source.spec);
-    return this.#keep(mesh, session);
+    return this.#keep(mesh, this.#made(source, onProgress));
+  }
+
+  #made(source: Source, onProgress: (fraction: number) => undefined): Session {
+    if ('bytes' in source) return this.#polylap.open(source.bytes, source.name, { ...source.options, onProgress });
+    if ('arrays' in source) return this.#polylap.fromArrays(source.arrays, { onProgress });
+    return this.#polylap.make(source.spec);
   }
 
   #adopt({ mesh, arrays }: Takes<'adopt'>, onProgress: (fraction: number) => undefined): undefined {

@@ -11,6 +11,7 @@ import {
   openOptions,
   operatorParts,
   optionalFunction,
+  ownArrays,
   realNumber,
   shapeParts,
   text,
@@ -124,14 +125,9 @@ export class Polylap {
 
   /** A mesh from arrays; they are copied. */
   fromArrays(arrays: MeshArrays, options: Pick<SyncOptions, 'onProgress'> = {}): Session {
-    const { coordinates, offsets, corners } = fields(arrays, 'the arrays of a mesh');
-    const points = numbers(Float64Array, coordinates, 'coordinates', realNumber);
-    const [starts, vertices] = [
-      numbers(Int32Array, offsets, 'offsets', wholeNumber),
-      numbers(Int32Array, corners, 'corners', wholeNumber),
-    ];
+    const { coordinates, offsets, corners } = ownArrays(arrays);
     const { onProgress } = optionsOf(options);
-    return this.#own((tick) => this.#module.fromArrays(points, starts, vertices, tick), onProgress);
+    return this.#own((tick) => this.#module.fromArrays(coordinates, offsets, corners, tick), onProgress);
   }
 
   make(shape: ShapeSpec): Session {

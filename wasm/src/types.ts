@@ -442,6 +442,8 @@ export interface Client {
     run?: Omit<RunOptions, 'side'> & OpenOptions,
   ): Promise<Mesh>;
   make(shape: ShapeSpec, run?: Omit<RunOptions, 'side'>): Promise<Mesh>;
+  /** A mesh from arrays; they are copied. */
+  fromArrays(arrays: MeshArrays, name: string, run?: Omit<RunOptions, 'side'>): Promise<Mesh>;
   /** A study on meshes of its own: does the operator converge under refinement? */
   convergence(spec: OperatorSpec, run?: Omit<RunOptions, 'side'>): Promise<ConvergenceStudy[]>;
   /** Called when a side's worker died or was ended to cancel, and has been started again; all meshes are as they were. */

@@ -5,11 +5,11 @@ import { bindInput, bindKeys, bindViewer } from './bind-viewer.js';
 import { bindWeights } from './bind-weights.js';
 import { h } from './dom.js';
 import { page } from './layout/page.js';
-import { createClient } from './polylap.js';
 import { Viewer } from './scene/viewer.js';
+import { sharedClient } from './start-client.js';
 import { views as allViews, presets, type View } from './state.js';
 
-const app = new App(createClient());
+const app = new App(sharedClient());
 const open = async () => {
   if (!(await app.follow(location.hash)) && !app.results.get().mesh) {
     const { error } = app.results.get();

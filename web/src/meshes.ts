@@ -5,6 +5,7 @@ import { countFaces } from './mesh-text.js';
 import { describe, explain, reportOf } from './messages.js';
 import { optionsOf, upTo } from './moves.js';
 import type { Client, ConversionSpec, Mesh, ShapeSpec, Side } from './polylap.js';
+import { publicFile } from './public-file.js';
 import { freshSide, type Message } from './results.js';
 import {
   belongings,
@@ -237,9 +238,7 @@ const conversionOf = ({ id, parameters }: Made) => ({ conversion: id, ...paramet
 
 /** A mesh that lies beside the page. */
 async function load(client: Client, { file, change }: Extract<Preset, { file: string }>, run: Run): Promise<Mesh> {
-  const answer = await fetch(new URL(file, document.baseURI), { signal: run.signal });
-  if (!answer.ok) throw new Error(`${file} could not be loaded: the server says ${answer.status}`);
-  const mesh = await client.open(await answer.blob(), file, run);
+  const mesh = await client.open(await publicFile(file, run.signal), file, run);
   if (!change) return mesh;
   try {
     return await mesh.convert(change, run);

@@ -2,6 +2,7 @@ import type { App } from '../app.js';
 import { h } from '../dom.js';
 import { count, plural } from '../format.js';
 import { type Entry, type Facts, groups, stateOf } from '../gallery.js';
+import { publicFile, publicUrl } from '../public-file.js';
 import { faceNames } from './card.js';
 import { button, newId } from './controls.js';
 import '../styles/gallery.css';
@@ -11,10 +12,7 @@ import '../styles/gallery.css';
  * @throws Error when what was measured of them cannot be loaded
  */
 export async function galleryDialog(app: App): Promise<HTMLDialogElement> {
-  const url = (path: string) => new URL(path, document.baseURI).href;
-  const answer = await fetch(url('gallery/facts.json'));
-  if (!answer.ok) throw new Error(`Its list could not be loaded: the server says ${answer.status}`);
-  const facts = (await answer.json()) as Record<string, Facts>;
+  const facts = JSON.parse(await (await publicFile('gallery/facts.json')).text()) as Record<string, Facts>;
   const choose = (entry: Entry) => {
     dialog.close();
     void app.history.asOne(entry.figure ? 'the figure' : 'the mesh', async () => {
@@ -24,7 +22,13 @@ export async function galleryDialog(app: App): Promise<HTMLDialogElement> {
   };
   const card = (entry: Entry) => {
     const known = facts[entry.id];
-    const picture = h('img', { alt: '', width: 160, height: 112, loading: 'lazy', src: known && url(known.picture) });
+    const picture = h('img', {
+      alt: '',
+      width: 160,
+      height: 112,
+      loading: 'lazy',
+      src: known && publicUrl(known.picture),
+    });
     const place = entry.place ? h('span', { class: 'place' }, entry.place) : null;
     return h(
       'li',

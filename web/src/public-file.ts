@@ -1,0 +1,13 @@
+/**
+ * What lies beside the page: meshes, pictures, what was measured of them.
+ * @param path as in build/public
+ * @throws Error, a sentence, when it cannot be had
+ */
+export async function publicFile(path: string, signal?: AbortSignal): Promise<Blob> {
+  const answer = await fetch(new URL(path, document.baseURI), { signal: signal ?? null });
+  if (!answer.ok) throw new Error(`${path} could not be loaded: the server says ${answer.status}`);
+  return answer.blob();
+}
+
+/** Where an image shows it. */
+export const publicUrl = (path: string): string => new URL(path, document.baseURI).href;
