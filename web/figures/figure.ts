@@ -73,6 +73,8 @@ interface FigureBase {
   readonly controls: readonly Control[];
   /** The state of the full page that shows the same. */
   readonly state: (settings: Settings) => State;
+  /** The mesh as OBJ, where the source of that state is a file: the link carries it (see share.ts). */
+  readonly file?: (settings: Settings) => string;
 }
 
 /** Drawn as SVG. */
