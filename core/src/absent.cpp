@@ -1,6 +1,9 @@
 // Stands in for what polylap-core.wasm does without, which a page loads when it is first asked for: the library's own
 // files of these functions stay out of a program that has this one. Each answers not_included, an error that no other
 // program meets.
+#include <array>
+
+#include "mesh/shape_builder.hpp"
 #include "polylap/apply/explicit_step.hpp"
 #include "polylap/operators/dual_vertices.hpp"
 #include "solve/lu_factor.hpp"
@@ -13,6 +16,19 @@ Error absent() {
 }
 
 }  // namespace
+
+// What the page's own menu of meshes is made of.
+std::span<const ShapeInfo* const> shapes() noexcept {
+    static constexpr std::array table{&grid_shape, &saddle_shape, &torus_shape};
+    return table;
+}
+
+Result<const ShapeInfo*> find_shape(std::string_view id) {
+    for (const ShapeInfo* info : shapes()) {
+        if (id == info->id) return info;
+    }
+    return absent();
+}
 
 struct LuFactor::Impl {};
 

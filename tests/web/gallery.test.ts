@@ -74,7 +74,9 @@ describe('the gallery', () => {
     await page.route('**/facts.json', (route) => route.fulfill({ status: 503 }));
     await page.getByRole('button', { name: 'Gallery…' }).click();
     await page.locator('.error').waitFor({ state: 'visible' });
-    expect(await page.locator('.error').textContent()).toContain('The gallery cannot be shown. gallery/facts.json could not be');
+    expect(await page.locator('.error').textContent()).toContain(
+      'The gallery cannot be shown. The file gallery/facts.json',
+    );
     await page.unroute('**/facts.json');
     await page.getByRole('button', { name: 'Gallery…' }).click();
     await page.getByRole('dialog', { name: 'Gallery' }).waitFor();

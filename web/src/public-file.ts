@@ -5,7 +5,7 @@
  */
 export async function publicFile(path: string, signal?: AbortSignal): Promise<Blob> {
   const answer = await fetch(new URL(path, document.baseURI), { signal: signal ?? null });
-  if (!answer.ok) throw new Error(`${path} could not be loaded: the server says ${answer.status}`);
+  if (!answer.ok) throw new Error(`the file ${path} could not be loaded: the server says ${answer.status}`);
   return answer.blob();
 }
 
