@@ -17,6 +17,9 @@ const earlyCore = () => ({
   },
 });
 
+// light-dark() in the style sheet sets the floor.
+export const target = ['chrome123', 'firefox121', 'safari17.5'];
+
 export default defineConfig({
   root: fileURLToPath(new URL('.', import.meta.url)),
   base: './',
@@ -29,8 +32,7 @@ export default defineConfig({
   build: {
     outDir: '../dist',
     emptyOutDir: true,
-    // light-dark() in the style sheet sets the floor.
-    target: ['chrome123', 'firefox121', 'safari17.5'],
+    target,
     chunkSizeWarningLimit: 800,
   },
 });

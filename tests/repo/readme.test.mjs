@@ -86,8 +86,8 @@ describe('the npm package', () => {
   });
 
   it('serves the browser its worker', () => {
-    const index = readFileSync(join(installed, 'build/npm/index.js'), 'utf8');
-    expect(index).toContain("new URL('./worker.js', import.meta.url)");
+    const create = readFileSync(join(installed, 'build/npm/create.js'), 'utf8');
+    expect(create).toContain("new URL('./worker.js', import.meta.url)");
     expect(readFileSync(join(installed, 'build/npm/worker.js'), 'utf8')).toContain('serve');
   });
 });

@@ -39,6 +39,8 @@ export interface ClientOptions {
   worker: (side: Side) => WorkerLike;
   /** polylap-core.wasm, or the whole polylap.wasm, compiled, for all workers; without it each gets the whole by itself. */
   module?: (whole: boolean) => Promise<WebAssembly.Module>;
+  /** Whether to begin with the whole; as a rule only without `module`. */
+  whole?: boolean;
 }
 
 /** @throws PolylapError `worker-failed` when the worker cannot be started */
@@ -98,7 +100,7 @@ class WorkerClient implements Client {
   readonly #modules = new Map<boolean, Promise<WebAssembly.Module>>();
   #nextMesh = 0;
 
-  constructor({ worker, module: compile }: ClientOptions) {
+  constructor({ worker, module: compile, whole: fromTheStart = !compile }: ClientOptions) {
     const module = async (whole: boolean) => {
       if (!compile) return undefined;
       const made = this.#modules.get(whole) ?? compile(whole);
@@ -111,7 +113,7 @@ class WorkerClient implements Client {
       new WorkerQueue({
         worker: () => worker(side),
         module,
-        whole: !compile,
+        whole: fromTheStart,
         // Of one module, machine code is optimised for all its instances.
         warmUp: side === 'a' || !compile,
         onRestart: (reason) => this.onRestart?.(reason, side),

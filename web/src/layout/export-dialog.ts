@@ -11,6 +11,7 @@ import {
   valuesFile,
 } from '../exports.js';
 import { explain } from '../messages.js';
+import { mayBeSandboxed } from '../place.js';
 import type { MeshFormat, Side } from '../polylap.js';
 import { type SavedFile, save } from '../saving.js';
 import { sides, type View } from '../state.js';
@@ -40,7 +41,9 @@ export function exportDialog(app: App, photograph: Photographer): HTMLDialogElem
         return;
       }
       save(file);
-      done.textContent = `Saved as ${file.name}.`;
+      done.textContent = mayBeSandboxed()
+        ? `Saved as ${file.name}. If nothing arrives, the frame that the page is in needs allow-downloads in its sandbox.`
+        : `Saved as ${file.name}.`;
     } catch (reason) {
       said.textContent = explain(reason);
     }
@@ -114,7 +117,8 @@ export function exportDialog(app: App, photograph: Photographer): HTMLDialogElem
       button(
         'Copy',
         () =>
-          void navigator.clipboard.writeText(entries.value).then(
+          // Without a right to it there may be no clipboard at all.
+          void (async () => navigator.clipboard.writeText(entries.value))().then(
             () => {
               done.textContent = 'Copied.';
             },

@@ -1,6 +1,7 @@
 import type { App } from '../app.js';
 import { h } from '../dom.js';
 import { count } from '../format.js';
+import { ownAddress } from '../place.js';
 import { linkOf } from '../share.js';
 import { nameOf } from '../state.js';
 import { button } from './controls.js';
@@ -42,10 +43,15 @@ export function shareDialog(app: App): { element: HTMLDialogElement; open: () =>
     const { source } = app.state.get();
     const file = source.kind === 'file' ? (app.meshes.contents(source.file) ?? null) : null;
     const { hash, withoutFile } = await linkOf(app.state.get(), file);
-    link.value = new URL(hash, location.href).href;
-    note.textContent = withoutFile
+    const address = ownAddress();
+    link.value = (address ?? '') + hash;
+    const what = withoutFile
       ? `${nameOf({ ...source, changes: [] })} is too large for a link: whoever opens the link is asked for the file. Nothing is uploaded.`
       : `${count(link.value.length)} characters${file ? ', with the mesh in them' : ''}. Nothing is uploaded.`;
+    note.textContent =
+      address === null
+        ? `${what} The page has no address of its own here. Put it behind the address of any polylap page.`
+        : what;
     copied.textContent = '';
     element.showModal();
     link.select();

@@ -1,0 +1,212 @@
+/** Files that carry everything in themselves: they work wherever they are opened, and ask no network for anything. */
+import { readFileSync, statSync } from 'node:fs';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import type { Frame, Page } from 'playwright-core';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { dist, tasks, useSite } from './browser.js';
+
+const site = useSite();
+const file = (path: string) => join(dist, path);
+const text = (path: string) => readFileSync(file(path), 'utf8');
+
+/** The largest that a file may be, in bytes. */
+const most = 1_600_000;
+
+interface Visit {
+  page: Page;
+  /** Where the file is: the page's own frame, or one in it. */
+  frame: Frame;
+  /** Console errors and warnings, uncaught errors, and what the file's own policy forbade. */
+  troubles: string[];
+  /** What was asked of any network or disk. */
+  requests: string[];
+  close: () => Promise<void>;
+}
+
+/** Opens something without any network, and listens. */
+async function quiet(open: (page: Page) => Promise<Frame>): Promise<Visit> {
+  const context = await site.browser.newContext({
+    viewport: { width: 1440, height: 900 },
+    reducedMotion: 'reduce',
+    offline: true,
+  });
+  context.setDefaultTimeout(30_000);
+  const page = await context.newPage();
+  const troubles: string[] = [];
+  const requests: string[] = [];
+  await page.addInitScript(() => {
+    document.addEventListener('securitypolicyviolation', ({ effectiveDirective, blockedURI, sample }) =>
+      console.error(`forbidden: ${effectiveDirective} ${blockedURI} ${sample}`),
+    );
+  });
+  page.on('console', (message) => {
+    // The software renderer reports each screenshot and each pick as slow.
+    if (['error', 'warning'].includes(message.type()) && !message.text().includes('GPU stall due to ReadPixels'))
+      troubles.push(message.text());
+  });
+  page.on('pageerror', (error) => troubles.push(`uncaught: ${error.message}`));
+  page.on('request', (request) => {
+    if (!/^(data|blob):/.test(request.url())) requests.push(request.url());
+  });
+  return { page, frame: await open(page), troubles, requests, close: () => context.close() };
+}
+
+const settled = (frame: Frame) =>
+  frame.waitForFunction(() => {
+    const { mesh, a, b } = globalThis.polylap?.results() ?? {};
+    return mesh && a?.weights && b?.weights && a.shape && b.shape && globalThis.polylap.idle();
+  });
+
+const inner = async (page: Page): Promise<Frame> => {
+  const frame = await (await page.waitForSelector('iframe')).contentFrame();
+  if (!frame) throw new Error('there is nothing in the frame');
+  return frame;
+};
+const attribute = (value: string) => value.replaceAll('&', '&amp;').replaceAll('"', '&quot;');
+const host = 'http://host.test/';
+
+/** Where lecturers put such a file. */
+const places: Record<string, (page: Page, path: string) => Promise<Frame>> = {
+  'from a disk': async (page, path) => {
+    await page.goto(pathToFileURL(file(path)).href);
+    return page.mainFrame();
+  },
+  'in a srcdoc with a sandbox': async (page, path) => {
+    await page.setContent(
+      `<iframe width="1400" height="860" sandbox="allow-scripts" srcdoc="${attribute(text(path))}"></iframe>`,
+      { waitUntil: 'commit' },
+    );
+    return inner(page);
+  },
+  'in a frame with a sandbox': async (page, path) => {
+    await page.route(host, (route) =>
+      route.fulfill({
+        contentType: 'text/html',
+        body: `<iframe width="1400" height="860" sandbox="allow-scripts" src="${path}"></iframe>`,
+      }),
+    );
+    await page.route(`${host}${path}`, (route) => route.fulfill({ path: file(path) }));
+    await page.goto(host, { waitUntil: 'commit' });
+    return inner(page);
+  },
+};
+
+describe('the page as one file', () => {
+  it('is no larger than 1.6 MB and asks for nothing in its markup', () => {
+    const html = text('polylap.html');
+    console.log(`polylap.html: ${(statSync(file('polylap.html')).size / 1000).toFixed(1)} kB`);
+    expect(statSync(file('polylap.html')).size).toBeLessThanOrEqual(most);
+    const markup = html.replace(/<(script|style)\b[^>]*>[\s\S]*?<\/\1>/g, '');
+    expect([...markup.matchAll(/\b(?:src|href)\s*=\s*"(?!data:)([^"]*)"/g)].map(([, to]) => to)).toEqual([]);
+  });
+
+  it('forbids itself all but what is in it', () => {
+    const policy = text('polylap.html').match(/http-equiv="Content-Security-Policy" content="([^"]*)"/)?.[1] ?? '';
+    const rules = Object.fromEntries(
+      policy.split('; ').map((rule) => [rule.replace(/ .*/, ''), rule.split(' ').slice(1)]),
+    );
+    expect(rules['default-src']).toEqual(["'none'"]);
+    expect(rules['connect-src']).toEqual(["'none'"]);
+    expect(rules['worker-src']).toEqual(['blob:']);
+    expect(rules['img-src']).toEqual(['data:', 'blob:']);
+    expect(rules['script-src']).toEqual([expect.stringMatching(/^'sha256-/), "'wasm-unsafe-eval'"]);
+    expect(rules['style-src']).toEqual([expect.stringMatching(/^'sha256-/)]);
+  });
+
+  describe.each(Object.entries(places))('%s', (name, open) => {
+    const at = {} as Visit;
+    beforeAll(async () => {
+      Object.assign(at, await quiet((page) => open(page, 'polylap.html')));
+      await settled(at.frame);
+    });
+    afterAll(() => at.close?.());
+
+    it('opens with 2 048 negative weights against 0', async () => {
+      const shown = (side: string) => at.frame.locator(`[data-side="${side}"] [data-readout="negative"]`).first();
+      const counts = ['a', 'b'].map((side) => shown(side).getAttribute('data-value'));
+      expect(await Promise.all(counts)).toEqual(['2048', '0']);
+    });
+
+    it('does every task', async () => {
+      for (const task of tasks) {
+        await at.frame.getByRole('tab', { name: task }).click();
+        await settled(at.frame);
+      }
+      await at.frame.waitForFunction(() => {
+        const { a, b } = globalThis.polylap.results();
+        return [a.check, b.check].every((check) => check && typeof check === 'object');
+      });
+      await at.frame.getByRole('tab', { name: 'Smooth' }).click();
+      await at.frame.getByRole('button', { name: 'Step', exact: true }).click();
+      await at.frame.waitForFunction(() => globalThis.polylap.results().b.step === 1);
+      await settled(at.frame);
+    });
+
+    it('has its gallery, pictures and meshes', async () => {
+      await at.frame.getByRole('button', { name: 'Gallery…' }).click();
+      for (const image of await at.frame.locator('dialog img').all()) {
+        await image.scrollIntoViewIfNeeded();
+        await image.evaluate((element: HTMLImageElement) => element.decode());
+      }
+      await at.frame.locator('[data-entry="quad-bunny"]').click();
+      await at.frame.waitForFunction(() => (globalThis.polylap.results().mesh?.vertices ?? 0) > 2000);
+      await settled(at.frame);
+    });
+
+    it('makes links that can be opened, or says how', async () => {
+      await at.frame.getByRole('button', { name: 'Share…' }).click();
+      const link = at.frame.locator('#share-link');
+      await at.frame.waitForFunction(() => document.querySelector<HTMLTextAreaElement>('#share-link')?.value);
+      const address = await link.inputValue();
+      const note = await at.frame.locator('[data-value=share-note]').textContent();
+      if (name.includes('srcdoc')) {
+        expect(address).toMatch(/^#v=3&s=/);
+        expect(note).toContain('Put it behind the address');
+      } else {
+        expect(address).toMatch(/^(file|http):.*polylap\.html#v=3&s=/);
+        expect(note).not.toContain('Put it behind the address');
+      }
+      await at.frame.getByRole('button', { name: 'Copy' }).and(at.frame.locator(':visible')).click();
+      await at.frame.getByText(/Copied\.|copy it by hand/).waitFor();
+      await at.frame.getByRole('button', { name: 'Close' }).and(at.frame.locator(':visible')).click();
+    });
+
+    it('saves, and says what a sandbox may do to files', async () => {
+      await at.frame.getByRole('button', { name: 'Save…' }).click();
+      const sandboxed = name.includes('sandbox');
+      for (const action of ['surface', 'png', 'svg', 'stiffness']) {
+        const downloaded = sandboxed ? null : at.page.waitForEvent('download');
+        await at.frame.locator(`[data-action=save-${action}]`).click();
+        await at.frame.getByText(/^Saved as /).waitFor();
+        if (downloaded) expect(statSync(await (await downloaded).path()).size).toBeGreaterThan(200);
+      }
+      const said = await at.frame.getByText(/^Saved as /).textContent();
+      if (sandboxed) expect(said).toContain('allow-downloads');
+      else expect(said).not.toContain('allow-downloads');
+      await at.frame.getByRole('button', { name: 'Close' }).and(at.frame.locator(':visible')).click();
+    });
+
+    it('is forbidden nothing that it does, and asks for nothing', () => {
+      // What the sandbox forbids is not what the file forbids itself.
+      expect(
+        at.troubles.filter((trouble) => !/sandboxed.*allow-downloads|Download is disallowed/.test(trouble)),
+      ).toEqual([]);
+      const asked = { 'from a disk': 1, 'in a srcdoc with a sandbox': 0, 'in a frame with a sandbox': 2 }[name];
+      expect(at.requests.length, at.requests.join(', ')).toBe(asked);
+    });
+
+    it('would be forbidden anything else', async () => {
+      const { frame, troubles } = at;
+      expect(await frame.evaluate(() => fetch('data:,').then(String, String))).toContain('Failed to fetch');
+      await frame.evaluate(() => document.body.setAttribute('style', 'color: red'));
+      await frame.waitForFunction(() => getComputedStyle(document.body).color !== 'rgb(255, 0, 0)');
+      expect(troubles).toEqual(
+        expect.arrayContaining([
+          expect.stringContaining('forbidden: connect-src data'),
+          expect.stringContaining('forbidden: style-src-attr inline'),
+        ]),
+      );
+    });
+  });
+});

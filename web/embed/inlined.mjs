@@ -1,0 +1,127 @@
+/** Vite plugins for files that carry everything in themselves: no request is made by them, wherever they are opened from. */
+import { isUtf8 } from 'node:buffer';
+import { createHash } from 'node:crypto';
+import { readdir, readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { deflateRawSync } from 'node:zlib';
+import { build } from 'vite';
+
+const root = fileURLToPath(new URL('../..', import.meta.url));
+const pack = (bytes) => deflateRawSync(bytes, { level: 9, memLevel: 9 }).toString('base64');
+
+/** What is put into the files: made once for all of them. */
+export async function inlinedParts() {
+  const [core, worker, files] = await Promise.all([
+    readFile(join(root, 'build/wasm/polylap.wasm')),
+    classicWorker(),
+    publicFiles(),
+  ]);
+  return { core: pack(core), worker: pack(worker), files: pack(files) };
+}
+
+/** The worker with the loader of the whole core only, in one script. */
+async function classicWorker() {
+  const [{ output }] = await build({
+    configFile: false,
+    logLevel: 'warn',
+    plugins: [
+      replace({ 'build/wasm/polylap-core': 'build/wasm/polylap.js' }),
+      {
+        // The loader works out where its wasm would be, but makes its instance of the module it is given.
+        name: 'nowhere',
+        enforce: 'pre',
+        transform: (code, id) =>
+          id.endsWith('build/wasm/polylap.js') ? code.replaceAll('import.meta.url', "'file:'") : null,
+      },
+    ],
+    build: {
+      write: false,
+      lib: { entry: join(root, 'wasm/src/worker.ts'), formats: ['iife'], name: 'worker' },
+      rolldownOptions: { output: { codeSplitting: false } },
+    },
+  });
+  return output[0].code;
+}
+
+async function publicFiles() {
+  const folder = join(root, 'build/public');
+  const texts = {};
+  for (const name of (await readdir(folder, { recursive: true })).sort()) {
+    if (!/\.\w+$/.test(name)) continue;
+    const bytes = await readFile(join(folder, name));
+    if (!isUtf8(bytes)) throw new Error(`${name} is not text: inlined-files.ts takes texts only`);
+    texts[name.replaceAll('\\', '/')] = bytes.toString();
+  }
+  return JSON.stringify(texts);
+}
+
+/** @param modules what takes the place of what, by their paths from the root; the extension of the first left out */
+function replace(modules) {
+  const places = new Map(Object.entries(modules).map(([path, other]) => [join(root, path), join(root, other)]));
+  return {
+    name: 'replace',
+    enforce: 'pre',
+    resolveId: (source, importer) =>
+      (importer && source.startsWith('.') && places.get(join(importer, '..', source.replace(/\.[jt]s$/, '')))) || null,
+  };
+}
+
+/** @param parts see inlinedParts */
+export function inlined(parts) {
+  const virtual = /^inlined:(core|worker|files)$/;
+  return [
+    replace({
+      'wasm/src/create': 'web/embed/inlined-client.ts',
+      'web/src/public-file': 'web/embed/inlined-files.ts',
+    }),
+    {
+      name: 'inlined',
+      resolveId: (source) => (virtual.test(source) ? `\0${source}` : null),
+      load(id) {
+        const part = id.startsWith('\0') && id.slice(1).match(virtual)?.[1];
+        return part ? `export default ${JSON.stringify(parts[part])};` : null;
+      },
+    },
+  ];
+}
+
+const hashOf = (text) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
+
+/** What such a file is allowed: what is in it, and nothing else. The policy is the file's own, so that it can be kept anywhere. */
+export function policyOf(html) {
+  // What a parser makes of line ends would change the hashes.
+  if (html.includes('\r')) throw new Error('a file with a policy has plain line ends');
+  const hashes = (tag) =>
+    [...html.matchAll(new RegExp(`<${tag}\\b[^>]*>([\\s\\S]*?)</${tag}>`, 'g'))].map(([, text]) => hashOf(text));
+  return [
+    "default-src 'none'",
+    `script-src ${[...hashes('script'), "'wasm-unsafe-eval'"].join(' ')}`,
+    'worker-src blob:',
+    `style-src ${hashes('style').join(' ')}`,
+    'img-src data: blob:',
+    "connect-src 'none'",
+    "base-uri 'none'",
+    "form-action 'none'",
+  ].join('; ');
+}
+
+/** Puts the policy before all that it is for. */
+export const withPolicy = (html) =>
+  html.replace(
+    /<meta charset="[^"]*" ?\/?>/i,
+    (charset) => `${charset}<meta http-equiv="Content-Security-Policy" content="${policyOf(html)}">`,
+  );
+
+/** For after vite-plugin-singlefile. */
+export const policy = () => ({
+  name: 'policy',
+  enforce: 'post',
+  generateBundle: {
+    order: 'post',
+    handler(_options, bundle) {
+      for (const file of Object.values(bundle))
+        if (file.fileName.endsWith('.html')) file.source = withPolicy(file.source);
+    },
+  },
+});
