@@ -1,4 +1,5 @@
 import { Answers } from './answers.js';
+import { hear } from './client-news.js';
 import { compare } from './compare.js';
 import { exact } from './format.js';
 import { History } from './history.js';
@@ -25,6 +26,9 @@ export class App {
 
   private spoken: { notice: string; of: (state: State) => readonly unknown[]; when: readonly unknown[] } | null = null;
 
+  private deaf = () => {};
+  private closed = false;
+
   /** The vertex that faces the eye; the viewer tells. */
   front: () => number = () => 0;
 
@@ -37,13 +41,16 @@ export class App {
     );
     void client.then(
       (ready) => {
-        // What was cancelled is told of by whoever asked for it.
-        ready.onRestart = (reason) =>
-          reason === 'cancelled' ||
-          this.say(`The worker was started again: ${reason.replace(/\.$/, '')}. The mesh is as it was.`);
-        ready.onLoading = (loading) => {
-          this.work.loading = loading;
-        };
+        if (this.closed) return;
+        this.deaf = hear(ready, {
+          // What was cancelled is told of by whoever asked for it.
+          restarted: (reason) =>
+            reason === 'cancelled' ||
+            this.say(`The worker was started again: ${reason.replace(/\.$/, '')}. The mesh is as it was.`),
+          loading: (loading) => {
+            this.work.loading = loading;
+          },
+        });
       },
       // Told by the first mesh that cannot be made.
       () => {},
@@ -229,6 +236,15 @@ export class App {
   cancel(): void {
     this.results.set({ playing: false });
     this.work.cancel();
+  }
+
+  /** Takes from the client what it holds for this page. */
+  close(): void {
+    this.closed = true;
+    this.deaf();
+    this.results.set({ playing: false });
+    this.meshes.close();
+    this.work.makeWay();
   }
 
   /** Whether nothing is under way. */

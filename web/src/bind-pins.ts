@@ -7,6 +7,7 @@ import { neighbours } from './neighbours.js';
 import { onDrag } from './scene/drag.js';
 import { type Label, labelLimit } from './scene/labels.js';
 import type { Viewer } from './scene/viewer.js';
+import { focusedBy } from './scope.js';
 import { type Pin, type View, views } from './state.js';
 
 /** Two clicks within this time, in ms, open the value. */
@@ -182,7 +183,7 @@ class PinLabel implements Label {
       open = false;
       if (!keep) app.pin(vertex, value);
       app.history.release();
-      const focused = document.activeElement === input;
+      const focused = focusedBy(input) === input;
       button.hidden = false;
       input.remove();
       if (focused) button.focus();

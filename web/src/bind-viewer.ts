@@ -9,6 +9,7 @@ import { chain, dualLayers, negativeLines } from './scene/layers.js';
 import { Mark } from './scene/markers.js';
 import { onTap, type Tap } from './scene/taps.js';
 import type { Viewer } from './scene/viewer.js';
+import { isLeft, type Scope } from './scope.js';
 import { presets, type Source, sides, type View, views } from './state.js';
 
 /** Isolines divide the range of colours into so many. */
@@ -64,7 +65,7 @@ export function bindViewer(app: App, viewer: Viewer): void {
     (complete) => {
       if (!complete) return;
       queueMicrotask(() => stop());
-      if (!matchMedia('(prefers-reduced-motion: reduce)').matches) viewer.camera.nudge();
+      if (viewer.awake && !matchMedia('(prefers-reduced-motion: reduce)').matches) viewer.camera.nudge();
     },
   );
   app.state.watch(
@@ -142,11 +143,6 @@ export function bindViewer(app: App, viewer: Viewer): void {
     (hovered, _mesh) => viewer.hover(hovered),
   );
   bindSelection(app, viewer, showMarks);
-
-  const recolour = () => viewer.recolour();
-  app.state.watch((state) => [state.theme], recolour);
-  for (const query of ['(prefers-color-scheme: dark)', '(forced-colors: active)'])
-    matchMedia(query).addEventListener('change', recolour);
 }
 
 function bindDual(app: App, viewer: Viewer, side: Side): void {
@@ -214,6 +210,7 @@ export function bindInput(app: App, viewer: Viewer, places: Record<View, HTMLEle
     });
     view.addEventListener('keydown', (event) => {
       const { task, selected } = app.state.get();
+      if (isLeft(event)) return;
       if (event.key === 'Enter' && task === 'harmonic' && selected !== null) app.touchPin(selected);
       else if (event.key === ' ' && task === 'smooth') app.smoothing.toggle();
       else return;
@@ -223,10 +220,10 @@ export function bindInput(app: App, viewer: Viewer, places: Record<View, HTMLEle
 }
 
 /** Keys that mean the same anywhere on the page, except where one writes. */
-export function bindKeys(app: App, help: () => void): void {
-  document.addEventListener('keydown', (event) => {
+export function bindKeys(app: App, scope: Scope, help: () => void): void {
+  scope.on('keydown', (event) => {
     const { target } = event;
-    if (event.altKey || document.querySelector('dialog[open]')) return;
+    if (isLeft(event) || event.altKey || scope.element.querySelector('dialog[open]')) return;
     if (event.ctrlKey || event.metaKey) {
       // Text has an undo of its own.
       if (isTyping(target) && !(target instanceof HTMLSelectElement)) return;

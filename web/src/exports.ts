@@ -96,8 +96,8 @@ export function valuesFile(app: App): SavedFile | null {
   return text(`${stem(app)}-values.csv`, csv(head, rows));
 }
 
-/** The row of the selected vertex as Weights draws it; null where none is selected. */
-export async function stencilFile(app: App, side: Side): Promise<SavedFile | null> {
+/** The row of the selected vertex as Weights draws it; null where none is selected. @param within whose styles it has */
+export async function stencilFile(app: App, side: Side, within: Element): Promise<SavedFile | null> {
   const asked = await selectedRows(app);
   if (!asked) return null;
   const { vertex } = asked;
@@ -105,9 +105,9 @@ export async function stencilFile(app: App, side: Side): Promise<SavedFile | nul
   const { positions } = app.results.get()[side];
   const weights = drawnWeights(rows[side], vertex);
   const drawn = stencil(meshOf(app).geometry, positions, vertex, weights, largestWeight(rows, vertex));
-  // Styles are known only of what is in the document.
+  // Styles are known only of what is shown somewhere.
   const place = h('div', { class: 'unseen', 'aria-hidden': 'true' }, drawn);
-  document.body.append(place);
+  within.append(place);
   try {
     return text(`${stem(app)}-vertex-${vertex}-${side}.svg`, standalone(drawn));
   } finally {

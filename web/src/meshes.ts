@@ -30,6 +30,7 @@ export class Meshes {
   private opening = 0;
   private readonly files: Blob[] = [];
   private expected: State | null = null;
+  private closed = false;
 
   constructor(private readonly app: App) {}
 
@@ -92,6 +93,13 @@ export class Meshes {
   /** Keeps what was opened, so that it can be opened again. @returns its number */
   keep(contents: Blob): number {
     return this.files.push(contents) - 1;
+  }
+
+  /** Takes no more, and lets go of what it has. */
+  close(): void {
+    this.closed = true;
+    this.opening++;
+    void this.app.results.get().mesh?.close();
   }
 
   /** What was opened under a number. */
@@ -169,7 +177,7 @@ export class Meshes {
       return error;
     }
     this.awaited--;
-    if (turn !== this.opening) {
+    if (turn !== this.opening || this.closed) {
       await mesh.close();
       return null;
     }

@@ -1,5 +1,6 @@
 import { h } from '../dom.js';
 import { exact } from '../format.js';
+import { focusedBy } from '../scope.js';
 
 let ids = 0;
 export const newId = (stem: string) => `${stem}-${++ids}`;
@@ -117,7 +118,7 @@ export function slider(options: {
   return {
     element,
     set: (value: number, text?: string) => {
-      if (document.activeElement !== element || element.valueAsNumber !== value) element.value = String(value);
+      if (focusedBy(element) !== element || element.valueAsNumber !== value) element.value = String(value);
       if (text) element.setAttribute('aria-valuetext', text);
       paint();
     },

@@ -87,7 +87,7 @@ export function exportDialog(app: App, photograph: Photographer): HTMLDialogElem
       entries.value = bibliography(app.state.get());
     },
   );
-  const dialog = h(
+  const dialog: HTMLDialogElement = h(
     'dialog',
     { class: 'dialog', 'aria-labelledby': 'export-title' },
     h('h2', { id: 'export-title' }, 'Save'),
@@ -102,7 +102,7 @@ export function exportDialog(app: App, photograph: Photographer): HTMLDialogElem
       h('label', { class: 'check' }, transparent, 'transparent'),
       saver('Picture', 'png', () => shoot(chosen())),
       difference,
-      saver('Stencil of the vertex, SVG', 'svg', () => stencilFile(app, chosen()), noRow),
+      saver('Stencil of the vertex, SVG', 'svg', () => stencilFile(app, chosen(), dialog), noRow),
     ),
     section(
       'Numbers',

@@ -3,15 +3,15 @@ import { h } from '../dom.js';
 import { count, plural } from '../format.js';
 import { type Entry, type Facts, groups, stateOf } from '../gallery.js';
 import { publicFile, publicUrl } from '../public-file.js';
+import styles from '../styles/gallery.css?inline';
 import { faceNames } from './card.js';
 import { button, newId } from './controls.js';
-import '../styles/gallery.css';
 
 /**
  * Meshes and figures to choose from, with pictures.
  * @throws Error when what was measured of them cannot be loaded
  */
-export async function galleryDialog(app: App): Promise<HTMLDialogElement> {
+export async function galleryDialog(app: App): Promise<{ element: HTMLDialogElement; styles: string }> {
   const facts = JSON.parse(await (await publicFile('gallery/facts.json')).text()) as Record<string, Facts>;
   const choose = (entry: Entry) => {
     dialog.close();
@@ -61,7 +61,7 @@ export async function galleryDialog(app: App): Promise<HTMLDialogElement> {
       }),
     ),
   );
-  return dialog;
+  return { element: dialog, styles };
 }
 
 function factsOf(facts: Facts): Node[] {

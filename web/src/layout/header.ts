@@ -54,8 +54,6 @@ export function header(
     (state) => [state.theme],
     (value) => {
       theme.value = value;
-      if (value === 'auto') delete document.documentElement.dataset.theme;
-      else document.documentElement.dataset.theme = value;
     },
   );
   const undo = button('Undo', () => void app.history.undo(), { 'data-action': 'undo' });
@@ -86,6 +84,13 @@ export function header(
     if (event.target instanceof HTMLButtonElement && more.matches(':popover-open')) more.hidePopover();
   };
   more.addEventListener('click', close, { capture: true });
+  const opener = h('button', { type: 'button', class: 'more', popovertarget: 'actions' }, 'Menu');
+  // In the top layer, which knows nothing of the line that it opens from.
+  more.addEventListener('beforetoggle', () => {
+    const { bottom, right } = opener.getBoundingClientRect();
+    more.style.setProperty('--below', `${Math.round(bottom + 8)}px`);
+    more.style.setProperty('--beside', `${Math.round(document.documentElement.clientWidth - right)}px`);
+  });
   return h(
     'header',
     { class: 'masthead' },
@@ -96,7 +101,7 @@ export function header(
     h('span', { class: 'spring' }),
     undo,
     redo,
-    h('button', { type: 'button', class: 'more', popovertarget: 'actions' }, 'Menu'),
+    opener,
     more,
   );
 }

@@ -1,9 +1,10 @@
 import type { App } from '../app.js';
 import { h, isTyping } from '../dom.js';
 import { formatOf, formatOfText, formats } from '../mesh-text.js';
+import type { Scope } from '../scope.js';
 
 /** Meshes come in by file picker, by drop anywhere, and by paste. Returns the way to the picker. */
-export function intake(app: App, page: HTMLElement): { element: HTMLInputElement; pick: () => void } {
+export function intake(app: App, page: HTMLElement, scope: Scope): { element: HTMLInputElement; pick: () => void } {
   const element = h('input', {
     type: 'file',
     class: 'unseen',
@@ -27,18 +28,28 @@ export function intake(app: App, page: HTMLElement): { element: HTMLInputElement
     event.preventDefault();
     target.hidden = false;
   };
-  document.addEventListener('dragenter', show);
-  document.addEventListener('dragover', show);
-  document.addEventListener('dragleave', (event) => {
-    if (event.relatedTarget === null) target.hidden = true;
-  });
-  document.addEventListener('drop', (event) => {
-    target.hidden = true;
-    if (!carriesFile(event) && !carriesText(event)) return;
-    event.preventDefault();
-    take(event.dataTransfer, 'dropped');
-  });
-  document.addEventListener('paste', (event) => {
+  const ground: GlobalEventHandlers = scope.whole ? document : scope.element;
+  const { signal } = scope;
+  ground.addEventListener('dragenter', show, { signal });
+  ground.addEventListener('dragover', show, { signal });
+  ground.addEventListener(
+    'dragleave',
+    ({ relatedTarget: to }) => {
+      if (!(to instanceof Node && scope.element.contains(to)) && !(scope.whole && to !== null)) target.hidden = true;
+    },
+    { signal },
+  );
+  ground.addEventListener(
+    'drop',
+    (event) => {
+      target.hidden = true;
+      if (!carriesFile(event) && !carriesText(event)) return;
+      event.preventDefault();
+      take(event.dataTransfer, 'dropped');
+    },
+    { signal },
+  );
+  scope.on('paste', (event) => {
     if (!isTyping(event.target)) take(event.clipboardData, 'pasted');
   });
 

@@ -1,8 +1,11 @@
+import { adopt } from '../adopt.js';
 import type { App } from '../app.js';
 import { explain } from '../messages.js';
 
 interface Opened {
   element: HTMLDialogElement;
+  /** Of its own. */
+  styles?: string;
   open?: () => void;
 }
 
@@ -12,6 +15,7 @@ export function later(app: App, root: HTMLElement, name: string, make: () => Pro
   const load = async () => {
     const dialog = await make();
     const opened = dialog instanceof HTMLDialogElement ? { element: dialog } : dialog;
+    if (opened.styles) adopt(root, opened.styles);
     root.append(opened.element);
     return opened;
   };

@@ -2,6 +2,7 @@ import type { App } from '../app.js';
 import { h, put } from '../dom.js';
 import { count } from '../format.js';
 import { known } from '../results.js';
+import type { Scope } from '../scope.js';
 import { type Task, type View, views } from '../state.js';
 import { card } from './card.js';
 import { checkPanel } from './check-panel.js';
@@ -25,10 +26,10 @@ export interface Page {
   help: () => void;
 }
 
-/** The whole document, in reading order. */
-export function page(app: App, root: HTMLElement, photograph: Photographer): Page {
+/** Everything that is mounted, in reading order. */
+export function page(app: App, root: HTMLElement, scope: Scope, photograph: Photographer): Page {
   const help = later(app, root, 'Help', async () => (await import('./dialogs.js')).helpDialog());
-  const files = intake(app, root);
+  const files = intake(app, root, scope);
   const cards = { a: card(app, 'a'), b: card(app, 'b'), delta: deltaCard(app) };
   const canvas = h('canvas', { class: 'scene', 'aria-hidden': 'true' });
   const panels: Record<Task, HTMLElement> = {

@@ -29,7 +29,7 @@ export function tabs<T extends string>(name: string, entries: readonly Tab<T>[],
   });
   const element = h('div', { role: 'tablist', class: 'tabs', 'aria-label': name }, ...buttons);
   element.addEventListener('keydown', (event) => {
-    const at = buttons.indexOf(document.activeElement as HTMLButtonElement);
+    const at = buttons.indexOf(event.target as HTMLButtonElement);
     const to = { ArrowLeft: at - 1, ArrowRight: at + 1, Home: 0, End: buttons.length - 1 }[event.key];
     if (at < 0 || to === undefined) return;
     event.preventDefault();

@@ -1,7 +1,8 @@
 import { PerspectiveCamera, Spherical, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { isLeft } from '../scope.js';
 import type { Camera } from '../state.js';
-import { leaveScrolling } from './host-scroll.js';
+import { type Gestures, leaveScrolling } from './host-scroll.js';
 
 /** Share of the view that a mesh fills at first. */
 const fill = 0.94;
@@ -19,6 +20,7 @@ export class LinkedCamera {
   readonly camera = new PerspectiveCamera(28, 1, 0.01, 100);
   private readonly target = new Vector3();
   private readonly controls: OrbitControls[] = [];
+  private readonly settlers: (() => void)[] = [];
   private home: { position: Vector3; target: Vector3 } | null = null;
   private nudging = 0;
   private resting: Camera | null = null;
@@ -31,7 +33,18 @@ export class LinkedCamera {
     private readonly changed: () => void,
     /** Somebody has taken the camera: it is theirs from now on. */
     private readonly taken: () => void,
+    private readonly gestures: Gestures,
   ) {}
+
+  /** After the gestures have changed. */
+  settleGestures(): void {
+    for (const settle of this.settlers) settle();
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.nudging);
+    for (const controls of this.controls) controls.dispose();
+  }
 
   attach(view: HTMLElement): void {
     const controls = new OrbitControls(this.camera, view);
@@ -42,7 +55,7 @@ export class LinkedCamera {
     controls.addEventListener('start', () => this.take());
     controls.addEventListener('end', () => this.rest());
     this.controls.push(controls);
-    leaveScrolling(view, () => this.onHostWheel(view));
+    this.settlers.push(leaveScrolling(view, this.gestures, () => this.onHostWheel(view)));
     view.addEventListener('keydown', (event) => this.key(event));
   }
 
@@ -52,7 +65,7 @@ export class LinkedCamera {
   }
 
   private key(event: KeyboardEvent): void {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (isLeft(event) || event.ctrlKey || event.metaKey || event.altKey) return;
     const turn = Math.PI / 24;
     const moves: Record<string, () => void> = {
       ArrowLeft: () => this.turn(-turn, 0),

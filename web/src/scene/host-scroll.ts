@@ -1,5 +1,14 @@
 import { h } from '../dom.js';
 
+/** What the wheel, or one finger up and down, does on a view. `auto`: `scroll` inside another page, and the wheel also on one that scrolls. */
+export type Gesture = 'auto' | 'mesh' | 'scroll';
+
+/** Of a mounted page; may change while it is there. */
+export interface Gestures {
+  wheel: Gesture;
+  touch: Gesture;
+}
+
 /** Inside another page, which may scroll whatever this one knows. */
 const embedded = () => window.top !== window;
 
@@ -16,25 +25,31 @@ const hintSpan = 4000;
  * and one finger up or down where the page is part of another.
  *
  * @param view whose other listeners take what is left
+ * @param gestures what the wheel and a finger are for
  * @param hint called when somebody may have meant the mesh
+ * @returns to be called when the gestures have changed
  */
-export function leaveScrolling(view: HTMLElement, hint: () => void): void {
-  if (embedded()) {
-    view.style.touchAction = 'pan-y';
-    // Two fingers are for the mesh, also where `pan-y` would scroll by two.
-    view.addEventListener('touchmove', (event) => event.touches.length > 1 && event.preventDefault(), {
-      passive: false,
-    });
-  }
+export function leaveScrolling(view: HTMLElement, gestures: Gestures, hint: () => void): () => void {
+  const touchScrolls = () => gestures.touch === 'scroll' || (gestures.touch === 'auto' && embedded());
+  const wheelScrolls = () => gestures.wheel === 'scroll' || (gestures.wheel === 'auto' && (embedded() || canScroll()));
+  const settle = () => {
+    view.style.touchAction = touchScrolls() ? 'pan-y' : 'none';
+  };
+  settle();
+  // Two fingers are for the mesh, also where `pan-y` would scroll by two.
+  view.addEventListener('touchmove', (event) => touchScrolls() && event.touches.length > 1 && event.preventDefault(), {
+    passive: false,
+  });
   view.addEventListener(
     'wheel',
     (event) => {
-      if (event.ctrlKey || event.metaKey || !(embedded() || canScroll())) return;
+      if (event.ctrlKey || event.metaKey || !wheelScrolls()) return;
       event.stopImmediatePropagation();
       hint();
     },
     { capture: true, passive: true },
   );
+  return settle;
 }
 
 /** What the wheel does instead: said once, on the view where it was turned. */

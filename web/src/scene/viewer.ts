@@ -8,6 +8,7 @@ import { readColours } from './colours.js';
 import { Content } from './content.js';
 import { triangleTexture } from './data-texture.js';
 import { flightTo } from './flight.js';
+import type { Gestures } from './host-scroll.js';
 import { HoverRing } from './hover-ring.js';
 import { type Label, Labels } from './labels.js';
 import type { Layer, LayerName } from './layers.js';
@@ -18,10 +19,25 @@ import { hidden } from './ray.js';
 import { Retired } from './retired.js';
 import type { Interval, Surface } from './surface.js';
 
-/** Two views of the mesh in one canvas: one renderer, one camera, a scissored rectangle each. Draws when something changed, not otherwise. */
+interface Hooks {
+  afterFrame(): void;
+  /** The graphics card took the picture away. */
+  lost(): void;
+  restored(): void;
+  /** Asleep, and what it shows is not what it would show. */
+  stale(): void;
+}
+
+/**
+ * Two views of the mesh in one canvas: one renderer, one camera, a scissored rectangle each. Draws when something changed, not otherwise.
+ * It sleeps at first: holds nothing on the graphics card, and shows the picture it fell asleep with.
+ */
 export class Viewer {
   readonly camera: LinkedCamera;
-  private readonly renderer: WebGLRenderer;
+  private renderer: WebGLRenderer | null = null;
+  private readonly observer = new ResizeObserver(() => this.resize());
+  /** Whether waking up would change the picture. */
+  stale = true;
   private readonly maps: Record<ColourMap, Texture> = {
     viridis: colourTexture('viridis'),
     cividis: colourTexture('cividis'),
@@ -43,29 +59,93 @@ export class Viewer {
   private framedAspect = 0;
 
   constructor(
-    private readonly canvas: HTMLCanvasElement,
+    private canvas: HTMLCanvasElement,
     private readonly places: Record<View, HTMLElement>,
-    private readonly afterFrame: () => void,
+    gestures: Gestures,
+    private readonly hooks: Hooks,
   ) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
-    this.renderer.setClearColor(0, 0);
     this.camera = new LinkedCamera(
       () => this.request(),
       () => {
         this.framed = false;
       },
+      gestures,
     );
     this.labels = { a: new Labels(places.a), b: new Labels(places.b), delta: new Labels(places.delta) };
     this.ring = new HoverRing(places, (view, vertex) => this.project(view, vertex));
     for (const view of views) this.camera.attach(places[view]);
-    new ResizeObserver(() => this.resize()).observe(canvas.parentElement as HTMLElement);
-    for (const view of views) new ResizeObserver(() => this.resize()).observe(places[view]);
+    this.observer.observe(canvas.parentElement as HTMLElement);
+    for (const view of views) this.observer.observe(places[view]);
+  }
+
+  // --- waking and sleeping ------------------------------------------------------------------------------------------------
+
+  get awake(): boolean {
+    return this.renderer !== null;
+  }
+
+  /** @throws where there is no WebGL */
+  wake(): void {
+    if (this.renderer) return;
+    // A canvas whose context was given back gets no other.
+    const canvas = this.canvas.cloneNode() as HTMLCanvasElement;
+    const renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    renderer.setClearColor(0, 0);
+    canvas.addEventListener('webglcontextlost', (event) => {
+      event.preventDefault();
+      if (this.renderer === renderer) this.hooks.lost();
+    });
     canvas.addEventListener('webglcontextrestored', () => {
+      if (this.renderer !== renderer) return;
       // Chromium gives back a canvas that is black where it should be transparent, until its size changes.
-      this.renderer.setSize(1, 1, false);
+      renderer.setSize(1, 1, false);
       this.resize();
       this.request();
+      this.hooks.restored();
     });
+    this.renderer = renderer;
+    this.replace(canvas);
+    this.resize();
+  }
+
+  /** Gives the graphics card back what it holds; what was drawn last stays in sight. */
+  sleep(): void {
+    if (!this.renderer) return;
+    const { width, height } = this.canvas;
+    const picture = this.canvas.cloneNode() as HTMLCanvasElement;
+    Object.assign(picture, { width, height });
+    if (width > 0 && height > 0) {
+      this.draw();
+      picture.getContext('2d')?.drawImage(this.canvas, 0, 0);
+    }
+    this.replace(picture);
+    this.release();
+  }
+
+  dispose(): void {
+    this.clear();
+    this.release();
+    this.observer.disconnect();
+    this.camera.dispose();
+  }
+
+  private replace(canvas: HTMLCanvasElement): void {
+    this.canvas.replaceWith(canvas);
+    this.canvas = canvas;
+  }
+
+  /** What three keeps for each geometry, material and texture goes with these; they come again when they are drawn. */
+  private release(): void {
+    cancelAnimationFrame(this.frame);
+    this.frame = 0;
+    this.retired.dispose();
+    for (const shown of Object.values(this.shown ?? {})) shown.dispose();
+    this.triangles?.dispose();
+    for (const map of Object.values(this.maps)) map.dispose();
+    const { renderer } = this;
+    this.renderer = null;
+    renderer?.dispose();
+    renderer?.forceContextLoss();
   }
 
   // --- what is shown ------------------------------------------------------------------------------------------------------
@@ -249,6 +329,11 @@ export class Viewer {
   // --- drawing ------------------------------------------------------------------------------------------------------------
 
   request(): void {
+    if (!this.renderer) {
+      this.stale = true;
+      this.hooks.stale();
+      return;
+    }
     this.frame ||= requestAnimationFrame(() => {
       this.frame = 0;
       this.draw();
@@ -256,19 +341,31 @@ export class Viewer {
   }
 
   /** A view as a PNG, without what lies over it. */
-  photograph(view: View, transparent: boolean): Promise<Blob> {
+  async photograph(view: View, transparent: boolean): Promise<Blob> {
+    const slept = !this.awake;
+    this.wake();
+    try {
+      return await this.picture(this.renderer as WebGLRenderer, view, transparent);
+    } finally {
+      if (slept) this.sleep();
+    }
+  }
+
+  private picture(renderer: WebGLRenderer, view: View, transparent: boolean): Promise<Blob> {
     const place = this.places[view];
     const background = transparent ? null : getComputedStyle(place.closest('.card') ?? document.body).backgroundColor;
-    return photograph(this.renderer, () => this.draw(), place, background);
+    return photograph(renderer, () => this.draw(), place, background);
   }
 
   private resize(): void {
-    const stage = this.canvas.parentElement as HTMLElement;
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
-    this.renderer.setSize(stage.clientWidth, stage.clientHeight, false);
+    const stage = this.canvas.parentElement;
+    if (!stage) return;
+    this.renderer?.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.renderer?.setSize(stage.clientWidth, stage.clientHeight, false);
     // A camera that nobody has touched keeps the mesh in full view.
     if (this.framed) this.fit();
-    this.draw();
+    if (this.renderer) this.draw();
+    else this.request();
   }
 
   private fit(): void {
@@ -300,6 +397,8 @@ export class Viewer {
 
   private draw(): void {
     const { renderer, shown, geometry } = this;
+    if (!renderer) return;
+    this.stale = false;
     renderer.setScissorTest(false);
     renderer.clear();
     if (!shown || !geometry) return;
@@ -323,7 +422,7 @@ export class Viewer {
     }
     this.ring.place();
     this.retired.dispose();
-    this.afterFrame();
+    this.hooks.afterFrame();
   }
 
   /** They lie over the canvas: nothing is drawn for them. */
@@ -336,6 +435,7 @@ export class Viewer {
 
   /** What is held on the graphics card, in numbers. */
   get held(): { geometries: number; textures: number; programs: number } {
+    if (!this.renderer) return { geometries: 0, textures: 0, programs: 0 };
     const { memory, programs } = this.renderer.info;
     return { geometries: memory.geometries, textures: memory.textures, programs: programs?.length ?? 0 };
   }
@@ -356,5 +456,6 @@ export class Viewer {
     if (this.shown) this.retired.add(...Object.values(this.shown));
     if (this.triangles) this.retired.add(this.triangles);
     this.shown = null;
+    this.triangles = null;
   }
 }
