@@ -6,7 +6,7 @@ import { build } from 'vite';
 import { viteSingleFile } from 'vite-plugin-singlefile';
 import { threeParts } from '../three-parts.mjs';
 import { target } from '../vite.config.mjs';
-import { inlined, inlinedParts, policy } from './inlined.mjs';
+import { inlined, inlinedParts, sealed } from './inlined.mjs';
 
 const web = fileURLToPath(new URL('..', import.meta.url));
 const dist = join(web, '../dist');
@@ -26,7 +26,7 @@ const page = await build({
   root: web,
   publicDir: false,
   logLevel: 'warn',
-  plugins: [threeParts(), inlined(parts), viteSingleFile(), policy()],
+  plugins: [threeParts(), inlined(parts), viteSingleFile()],
   build: { target, write: false, modulePreload: false },
 });
-await writeFile(join(dist, 'polylap.html'), take(page, '.html'));
+await writeFile(join(dist, 'polylap.html'), sealed(take(page, '.html')));

@@ -88,40 +88,47 @@ export function inlined(parts) {
 
 const hashOf = (text) => `'sha256-${createHash('sha256').update(text).digest('base64')}'`;
 
-/** What such a file is allowed: what is in it, and nothing else. The policy is the file's own, so that it can be kept anywhere. */
-export function policyOf(html) {
-  // What a parser makes of line ends would change the hashes.
-  if (html.includes('\r')) throw new Error('a file with a policy has plain line ends');
-  const hashes = (tag) =>
-    [...html.matchAll(new RegExp(`<${tag}\\b[^>]*>([\\s\\S]*?)</${tag}>`, 'g'))].map(([, text]) => hashOf(text));
-  return [
+/** Puts the script there that is beside it. Its text is known to the policy, as if it had been there from the start. */
+const starter = `(async () => {
+  const text = atob(document.getElementById('packed').textContent);
+  const bytes = Uint8Array.from(text, (c) => c.charCodeAt(0));
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
+  const script = document.createElement('script');
+  script.type = 'module';
+  script.textContent = await new Response(stream).text();
+  document.head.append(script);
+})();`;
+
+/** What such a file is allowed: what is in it, and nothing else. The policy is its own, so that the file can be kept anywhere. */
+const policyOf = (scripts, styles) =>
+  [
     "default-src 'none'",
-    `script-src ${[...hashes('script'), "'wasm-unsafe-eval'"].join(' ')}`,
+    `script-src ${[...scripts.map(hashOf), "'wasm-unsafe-eval'"].join(' ')}`,
     'worker-src blob:',
-    `style-src ${hashes('style').join(' ')}`,
+    `style-src ${styles.map(hashOf).join(' ')}`,
     'img-src data: blob:',
     "connect-src 'none'",
     "base-uri 'none'",
     "form-action 'none'",
   ].join('; ');
+
+/** Packs the script of a page that vite-plugin-singlefile has made, and gives the page its policy. */
+export function sealed(html) {
+  // What a parser makes of line ends would change the hashes.
+  if (html.includes('\r')) throw new Error('a file with a policy has plain line ends');
+  const scripts = [...html.matchAll(/<script\b[^>]*>([\s\S]*?)<\/script>/g)];
+  const styles = [...html.matchAll(/<style\b[^>]*>([\s\S]*?)<\/style>/g)].map(([, text]) => text);
+  if (scripts.length !== 1) throw new Error(`one script is to be packed, not ${scripts.length}`);
+  const [[element, script]] = scripts;
+  const policy = policyOf([starter, script], styles);
+  return html
+    .replace(element, '')
+    .replace(
+      /<meta charset="[^"]*" ?\/?>/,
+      (charset) => `${charset}\n<meta http-equiv="Content-Security-Policy" content="${policy}">`,
+    )
+    .replace(
+      '</body>',
+      () => `<script type="text/plain" id="packed">${pack(script)}</script>\n<script>${starter}</script>\n</body>`,
+    );
 }
-
-/** Puts the policy before all that it is for. */
-export const withPolicy = (html) =>
-  html.replace(
-    /<meta charset="[^"]*" ?\/?>/i,
-    (charset) => `${charset}<meta http-equiv="Content-Security-Policy" content="${policyOf(html)}">`,
-  );
-
-/** For after vite-plugin-singlefile. */
-export const policy = () => ({
-  name: 'policy',
-  enforce: 'post',
-  generateBundle: {
-    order: 'post',
-    handler(_options, bundle) {
-      for (const file of Object.values(bundle))
-        if (file.fileName.endsWith('.html')) file.source = withPolicy(file.source);
-    },
-  },
-});
