@@ -50,13 +50,13 @@ export function stateOf({ source, figure }: Entry, now: State): State {
 
 const preset = (id: string): Source => ({ kind: 'preset', id });
 
-const choice = (operator: string, parameters: Choice['parameters'] = {}): Choice => {
+export const choice = (operator: string, parameters: Choice['parameters'] = {}): Choice => {
   const initial = initialChoice(operator);
   return { ...initial, parameters: { ...initial.parameters, ...parameters } };
 };
 
 /** The vertices of a grid of n × n squares in rows; on its rim, 1 where `isOne` says so and otherwise 0. */
-function rim(n: number, isOne: (i: number, j: number) => boolean): State['harmonic']['pins'] {
+export function rim(n: number, isOne: (i: number, j: number) => boolean): State['harmonic']['pins'] {
   const at = Array.from(
     { length: (n + 1) ** 2 },
     (_, vertex) => [vertex % (n + 1), Math.floor(vertex / (n + 1))] as const,

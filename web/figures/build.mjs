@@ -1,0 +1,17 @@
+// Makes the pages of the figures in dist/, beside the full page:  node web/figures/build.mjs  Needs the wasm preset, build/public and the node packages.
+import { mkdir, writeFile } from 'node:fs/promises';
+import { bundle, inNode, meshPicture, pictureStyle } from '../light.mjs';
+
+const dist = new URL('../../dist/', import.meta.url);
+const filesOf = await bundle();
+const style = await pictureStyle();
+const files = await inNode(async ({ load, client }) => {
+  const { figureFiles } = await load('figures/render.ts');
+  const picture = (figure, settings) => meshPicture(client, figure.state(settings), { load });
+  return figureFiles(client, { ...filesOf('figures/page.ts'), style, picture });
+});
+for (const [path, text] of files) {
+  const file = new URL(path, dist);
+  await mkdir(new URL('.', file), { recursive: true });
+  await writeFile(file, text);
+}
