@@ -4,28 +4,29 @@ import { explain } from './messages.js';
 import type { ConvergenceStudy, Dual, Mesh, OperatorSpec, Side } from './polylap.js';
 import { known, type SideResults } from './results.js';
 import { type Choice, operatorOf, sides, type VertexWeights } from './state.js';
+import { t, word } from './words.js';
 import { isCancelled, type Run, Unwanted } from './work.js';
 
 const names = {
-  weights: 'weights',
-  harmonic: 'harmonic function',
-  matrices: 'matrix',
-  row: 'row of the vertex',
-  face: 'face',
-  stability: 'largest eigenvalue',
-  check: 'properties',
-  spectrum: 'spectrum',
-  energy: 'energy',
-  dual: 'orthogonal dual',
-  shape: 'area and volume',
-  study: 'convergence',
+  weights: word('weights'),
+  harmonic: word('harmonic function'),
+  matrices: word('matrix'),
+  row: word('row of the vertex'),
+  face: word('face'),
+  stability: word('largest eigenvalue'),
+  check: word('properties'),
+  spectrum: word('spectrum'),
+  energy: word('energy'),
+  dual: word('orthogonal dual'),
+  shape: word('area and volume'),
+  study: word('convergence'),
 };
 type Kind = Exclude<keyof typeof names, 'shape' | 'study'>;
 const kinds = (Object.keys(names) as (keyof typeof names)[]).filter(
   (name): name is Kind => name !== 'shape' && name !== 'study',
 );
 
-const labelOf = (side: Side, what: keyof typeof names) => `${side.toUpperCase()}: ${names[what]}`;
+const labelOf = (side: Side, what: keyof typeof names) => `${side.toUpperCase()}: ${t(names[what])}`;
 
 /** Plots of matrices need all of them; on more vertices that is too much to copy for each touch of a slider. */
 export const plotLimit = 20_000;
@@ -138,7 +139,7 @@ export class Answers {
       if (app.results.get().mesh === mesh) app.smoothing.loadedArea = shape.area;
       app.patch(mesh, side, { shape });
     } catch (reason) {
-      app.fail(mesh, 'The surface could not be measured', reason);
+      app.fail(mesh, t('The surface could not be measured'), reason);
     } finally {
       if (this.measured[side] === mesh) this.measured[side] = null;
     }
@@ -164,7 +165,7 @@ export class Answers {
       try {
         study = await app.work.run(labelOf(side, 'study'), (run) => client.convergence(specOf(choice), run));
       } catch (reason) {
-        study = isCancelled(reason) ? 'Cancelled.' : explain(reason);
+        study = isCancelled(reason) ? t('Cancelled.') : explain(reason);
       }
       if (app.state.get().sides[side] === choice) app.results.set({ [side]: { ...app.results.get()[side], study } });
     };
@@ -184,8 +185,8 @@ export class Answers {
     } catch (reason) {
       if (reason instanceof Unwanted) return;
       if (app.results.get().mesh !== mesh || (isCancelled(reason) && app.meshes.awaited > 0)) return;
-      app.patch(mesh, side, { [kind]: isCancelled(reason) ? 'Cancelled.' : explain(reason) });
-      if (isCancelled(reason)) app.say('Cancelled; the mesh is as it was.');
+      app.patch(mesh, side, { [kind]: isCancelled(reason) ? t('Cancelled.') : explain(reason) });
+      if (isCancelled(reason)) app.say(t('Cancelled; the mesh is as it was.'));
     }
   }
 

@@ -12,6 +12,7 @@ import { readLink } from './share.js';
 import { Smoothing } from './smoothing.js';
 import { type Choice, initialState, type State, sides, withPin, withWeight } from './state.js';
 import { Store } from './store.js';
+import { t, told } from './words.js';
 import { isCancelled, Work } from './work.js';
 
 /** What the page can do. Holds what was chosen (`state`) and what came of it (`results`); knows nothing of the document. */
@@ -46,7 +47,11 @@ export class App {
           // What was cancelled is told of by whoever asked for it.
           restarted: (reason) =>
             reason === 'cancelled' ||
-            this.say(`The worker was started again: ${reason.replace(/\.$/, '')}. The mesh is as it was.`),
+            this.say(
+              t('The worker was started again: {why}. The mesh is as it was.', {
+                why: told(reason.replace(/\.$/, '')),
+              }),
+            ),
           loading: (loading) => {
             this.work.loading = loading;
           },
@@ -105,8 +110,8 @@ export class App {
     this.pin(vertex, there?.value === value ? null : value);
     this.sayOfPins(
       there?.value === value
-        ? `The pin at vertex ${vertex} is removed.`
-        : `Pinned vertex ${vertex} to ${exact(value)}.`,
+        ? t('The pin at vertex {vertex} is removed.', { vertex })
+        : t('Pinned vertex {vertex} to {value}.', { vertex, value: exact(value) }),
     );
   }
 
@@ -216,7 +221,7 @@ export class App {
     try {
       link = await readLink(hash);
     } catch (reason) {
-      this.results.set({ error: { title: 'The link cannot be opened', text: explain(reason) } });
+      this.results.set({ error: { title: t('The link cannot be opened'), text: explain(reason) } });
       return false;
     }
     if (!link) return false;

@@ -9,6 +9,7 @@ import { type Label, labelLimit } from './scene/labels.js';
 import type { Viewer } from './scene/viewer.js';
 import { focusedBy } from './scope.js';
 import { type Pin, type View, views } from './state.js';
+import { t } from './words.js';
 
 /** Two clicks within this time, in ms, open the value. */
 const doubleSpan = 400;
@@ -42,7 +43,7 @@ class PinLabel implements Label {
   readonly element = h('span', { class: 'vertex-label pin-label' });
   private readonly button = h('button', {
     type: 'button',
-    title: 'Drag to another vertex. Double click for the value.',
+    title: t('Drag to another vertex. Double click for the value.'),
     'aria-keyshortcuts': 'Enter Delete ArrowLeft ArrowRight ArrowUp ArrowDown',
   });
   private pin: Pin = { vertex: 0, value: 0 };
@@ -75,7 +76,10 @@ class PinLabel implements Label {
     if (pin === this.pin) return;
     this.pin = pin;
     this.button.textContent = exact(Number(pin.value.toPrecision(3)));
-    this.button.setAttribute('aria-label', `Pin at vertex ${pin.vertex}, value ${exact(pin.value)}`);
+    this.button.setAttribute(
+      'aria-label',
+      t('Pin at vertex {vertex}, value {value}', { vertex: pin.vertex, value: exact(pin.value) }),
+    );
   }
 
   focus(): void {
@@ -104,12 +108,12 @@ class PinLabel implements Label {
       end: () => {
         over();
         app.select(this.vertex);
-        app.sayOfPins(`Pinned at vertex ${this.vertex}.`);
+        app.sayOfPins(t('Pinned at vertex {vertex}.', { vertex: this.vertex }));
       },
       cancel: () => {
         app.setPins(before);
         over();
-        app.sayOfPins('The pin is where it was.');
+        app.sayOfPins(t('The pin is where it was.'));
       },
     });
   }
@@ -138,7 +142,7 @@ class PinLabel implements Label {
     const { vertex } = this;
     this.places[this.view].focus();
     this.app.pin(vertex, null);
-    this.app.sayOfPins(`The pin at vertex ${vertex} is removed.`);
+    this.app.sayOfPins(t('The pin at vertex {vertex} is removed.', { vertex }));
     this.removed();
   }
 
@@ -160,10 +164,10 @@ class PinLabel implements Label {
     if (!best) return;
     const { vertex } = best;
     if (!app.movePin(this.vertex, vertex)) {
-      app.sayOfPins(`Vertex ${vertex} is pinned already.`);
+      app.sayOfPins(t('Vertex {vertex} is pinned already.', { vertex }));
       return;
     }
-    app.sayOfPins(`Pinned at vertex ${vertex}.`);
+    app.sayOfPins(t('Pinned at vertex {vertex}.', { vertex }));
     if (!viewer.project(view, vertex)?.visible) viewer.flyTo(view, vertex);
   }
 
@@ -171,7 +175,7 @@ class PinLabel implements Label {
     const { app, button, element } = this;
     const { vertex, value } = this.pin;
     const field = numberField({
-      label: `Value at vertex ${vertex}`,
+      label: t('Value at vertex {vertex}', { vertex }),
       step: 1,
       onChange: (next) => app.pin(vertex, next),
       onRefuse: (why) => app.refuse(why),

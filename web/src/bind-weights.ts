@@ -8,6 +8,7 @@ import { type Label, labelLimit } from './scene/labels.js';
 import { weightCircles } from './scene/layers.js';
 import type { Viewer } from './scene/viewer.js';
 import { operatorOf, type State, sides } from './state.js';
+import { t } from './words.js';
 
 /** Where there is something to read of weights. */
 const tasks: readonly State['task'][] = ['weights', 'dual'];
@@ -76,8 +77,8 @@ class WeightHandle implements Label {
       class: 'handle',
       role: 'spinbutton',
       tabindex: 0,
-      title: 'Drag up or down: the radius of the circle is √|ω|, dashed below 0.',
-      'aria-label': `Weight ω at vertex ${vertex} of ${side.toUpperCase()}`,
+      title: t('Drag up or down: the radius of the circle is √|ω|, dashed below 0.'),
+      'aria-label': t('Weight ω at vertex {vertex} of {side}', { vertex, side: side.toUpperCase() }),
       onclick: () => app.select(vertex),
       onkeydown: (event: KeyboardEvent) => this.key(event),
     });
@@ -124,12 +125,14 @@ class WeightHandle implements Label {
       },
       end: () => {
         over();
-        app.say(`ω of vertex ${vertex} is ${real(this.weight, 3)}.`, (state) => [state.vertexWeights]);
+        app.say(t('ω of vertex {vertex} is {value}.', { vertex, value: real(this.weight, 3) }), (state) => [
+          state.vertexWeights,
+        ]);
       },
       cancel: () => {
         app.setWeights(side, before);
         over();
-        app.say('The weight is as it was.', (state) => [state.vertexWeights]);
+        app.say(t('The weight is as it was.'), (state) => [state.vertexWeights]);
       },
     });
   }

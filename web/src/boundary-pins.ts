@@ -1,6 +1,7 @@
 import { type Loop, sideFrom } from './boundary-loops.js';
 import type { Mesh } from './polylap.js';
 import type { Pin } from './state.js';
+import { word } from './words.js';
 
 type Point = readonly [number, number, number];
 
@@ -13,17 +14,17 @@ export const boundaryPresets: readonly {
   /** The vertices that are 1 where others are 0. */
   choose?: (loop: Loop, corner: number, positions: Float32Array) => readonly number[];
 }[] = [
-  { id: 'value', label: 'constant', value: (_, pinned) => pinned },
+  { id: 'value', label: word('constant'), value: (_, pinned) => pinned },
   { id: 'x', label: 'x', value: ([x]) => x },
   { id: 'y', label: 'y', value: ([, y]) => y },
   { id: 'x2-y2', label: 'x² − y²', value: ([x, y]) => x * x - y * y },
   {
     id: 'corner',
-    label: 'one corner 1',
+    label: word('one corner 1'),
     value: (_at, _pinned, chosen) => Number(chosen),
     choose: (_, corner) => [corner],
   },
-  { id: 'side', label: 'one side 1', value: (_at, _pinned, chosen) => Number(chosen), choose: sideFrom },
+  { id: 'side', label: word('one side 1'), value: (_at, _pinned, chosen) => Number(chosen), choose: sideFrom },
 ];
 
 /** Pins for all vertices of some loops of a mesh. */

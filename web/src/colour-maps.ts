@@ -1,4 +1,5 @@
 import { DataTexture, LinearFilter, RGBAFormat } from 'three';
+import { word } from './words.js';
 
 /** Colours at equal distances; between them linear. */
 const stops = {
@@ -13,9 +14,9 @@ export type ColourMap = keyof typeof stops;
 
 /** Those that one can choose, with their names. */
 export const colourMaps: readonly (readonly [ColourMap, string])[] = [
-  ['viridis', 'Viridis'],
-  ['cividis', 'Cividis'],
-  ['red-blue', 'Red – blue'],
+  ['viridis', word('Viridis')],
+  ['cividis', word('Cividis')],
+  ['red-blue', word('Red – blue')],
 ];
 
 /** 256 colours, four bytes each. */

@@ -9,12 +9,16 @@ import { known } from './results.js';
 import { drawnWeights, entriesOf, largestWeight } from './rows.js';
 import { type SavedFile, standalone } from './saving.js';
 import { nameOf, operatorOf, type State, sides } from './state.js';
+import { t } from './words.js';
 
 const text = (name: string, contents: string): SavedFile => ({ name, contents: new Blob([contents]) });
 
+/** Files are the same in every language. */
+const english = (text: string) => text;
+
 /** The mesh's name as part of a file name. */
 function stem(app: App): string {
-  const name = nameOf(app.state.get().source).replace(/\.(obj|off|ply|stl)$/i, '');
+  const name = nameOf(app.state.get().source, english).replace(/\.(obj|off|ply|stl)$/i, '');
   return (
     name
       .normalize('NFKD')
@@ -26,7 +30,7 @@ function stem(app: App): string {
 
 function meshOf(app: App) {
   const { mesh } = app.results.get();
-  if (!mesh) throw new Error('There is no mesh yet.');
+  if (!mesh) throw new Error(t('There is no mesh yet.'));
   return mesh;
 }
 
@@ -44,7 +48,7 @@ export async function matrixFile(app: App, side: Side, which: 'stiffness' | 'mas
   const matrices = await mesh.matrices(spec, { side });
   const letter = which === 'stiffness' ? 'S' : 'M';
   const parameters = Object.entries(choices[side].parameters).map(([id, value]) => `, ${id} ${value}`);
-  const comment = `polylap: ${letter} of ${operatorOf(choices[side]).label}${parameters.join('')}; ${nameOf(app.state.get().source)}`;
+  const comment = `polylap: ${letter} of ${operatorOf(choices[side]).label}${parameters.join('')}; ${nameOf(app.state.get().source, english)}`;
   return text(`${stem(app)}-${side}-${letter}.mtx`, matrixMarket(matrices[which], comment));
 }
 

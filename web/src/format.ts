@@ -1,15 +1,12 @@
 /** Numbers for people. Machines read the `data-value` beside them. */
 
-const thinSpace = '\u202f';
+import { count, decimals, minus } from './digits.js';
+import { language, t } from './words.js';
 
-/** 2048 → "2 048" */
-export function count(value: number): string {
-  return minus(
-    Math.round(value)
-      .toString()
-      .replace(/\B(?=(\d{3})+$)/g, thinSpace),
-  );
-}
+export { count, minus };
+
+/** A decimal number as the language writes it. */
+export const written = (digits: string): string => decimals(minus(digits), language());
 
 /** Characters that a number may take in a column of a table. */
 const room = 8;
@@ -23,7 +20,7 @@ export function real(value: number, digits = 4): string {
   if (size < 1e-4 || size >= 1e6) return fitting((d) => value.toExponential(d - 1), digits, room);
   const whole = Math.max(1, Math.floor(Math.log10(size)) + 1);
   if (whole >= digits) return count(value);
-  return minus(value.toPrecision(digits));
+  return written(value.toPrecision(digits));
 }
 
 /** Six significant digits without trailing zeros: 4/3 → "1.33333", 1 → "1"; fewer where they would not fit. */
@@ -47,13 +44,13 @@ export const cleared = (value: number, size: number): number => (Math.abs(value)
 /** A signed weight: decimals that line up, as long as they show it. */
 export function weight(value: number): string {
   const size = Math.abs(value);
-  if (value === 0 || Number.isNaN(value) || (size >= 0.01 && size < 999.9995)) return minus((value + 0).toFixed(3));
-  if (size >= 0.001 && size < 1) return minus(value.toPrecision(2));
-  return size < 1 ? minus(value.toExponential(1)) : real(value);
+  if (value === 0 || Number.isNaN(value) || (size >= 0.01 && size < 999.9995)) return written((value + 0).toFixed(3));
+  if (size >= 0.001 && size < 1) return written(value.toPrecision(2));
+  return size < 1 ? written(value.toExponential(1)) : real(value);
 }
 
 function specialText(value: number): string | null {
-  if (Number.isNaN(value)) return 'undefined';
+  if (Number.isNaN(value)) return t('undefined');
   if (value === 0) return '0';
   return Number.isFinite(value) ? null : value > 0 ? '∞' : '−∞';
 }
@@ -62,21 +59,12 @@ function specialText(value: number): string | null {
 function fitting(write: (digits: number) => string, most: number, width: number): string {
   for (let digits = most; ; digits--) {
     const text = write(digits).replace('e+', 'e');
-    if (text.length <= width || digits === 1) return minus(text);
+    if (text.length <= width || digits === 1) return written(text);
   }
-}
-
-export function plural(value: number, one: string, many = `${one}s`): string {
-  return `${count(value)}\u00a0${value === 1 ? one : many}`;
 }
 
 /** 'min-max-angle' → "Min max angle" */
 export function words(id: string): string {
   const text = id.replaceAll('-', ' ');
   return text.charAt(0).toUpperCase() + text.slice(1);
-}
-
-/** With true minus signs before numbers and between terms; hyphens stay. */
-export function minus(text: string): string {
-  return text.replace(/-(?=[\d ])/g, '−');
 }

@@ -1,4 +1,4 @@
-/** What the gallery offers. The figures are states of the page that show what Herholz 2012 shows there. */
+/** What the gallery offers, its words in English. The figures are states of the page that show what Herholz 2012 shows there. */
 import { moveOf } from './moves.js';
 import { shapes } from './polylap.js';
 import {
@@ -11,6 +11,7 @@ import {
   type Source,
   type State,
 } from './state.js';
+import { word } from './words.js';
 
 export interface Entry {
   id: string;
@@ -67,9 +68,9 @@ export function rim(n: number, isOne: (i: number, j: number) => boolean): State[
 const figures: readonly Entry[] = [
   {
     id: 'one-interior-vertex',
-    label: 'One interior vertex',
-    look: 'A gives the middle 4λ/(1 + 2λ): more than any pin once λ > ½. B gives 1.',
-    place: 'Fig. 4.9',
+    label: word('One interior vertex'),
+    look: word('A gives the middle 4λ/(1 + 2λ): more than any pin once λ > ½. B gives 1.'),
+    place: word('Fig. 4.9'),
     source: preset('grid-2'),
     figure: ({ harmonic }) => ({
       task: 'harmonic',
@@ -79,8 +80,8 @@ const figures: readonly Entry[] = [
   },
   {
     id: 'maximum-principle',
-    label: 'The maximum principle fails',
-    look: 'One corner is 1, the rest of the rim 0. A dips below 0 inside; at λ = ½ the dip is gone. B has none.',
+    label: word('The maximum principle fails'),
+    look: word('One corner is 1, the rest of the rim 0. A dips below 0 inside; at λ = ½ the dip is gone. B has none.'),
     source: preset('grid-8'),
     figure: ({ harmonic }) => ({
       task: 'harmonic',
@@ -90,25 +91,25 @@ const figures: readonly Entry[] = [
   },
   {
     id: 'quad-bunny',
-    label: 'Negative weights',
-    look: 'Nearly every diagonal of a quad is negative for A; B keeps to what Delaunay leaves.',
-    place: 'p. 31',
+    label: word('Negative weights'),
+    look: word('Nearly every diagonal of a quad is negative for A; B keeps to what Delaunay leaves.'),
+    place: word('p. 31'),
     source: preset('bunny'),
     figure: () => ({}),
   },
   {
     id: 'quad-bunny-noisy',
-    label: 'Negative weights under noise',
-    look: 'The same bunny, shaken along its normals: no face is flat any more, and B still has few.',
-    place: 'p. 31',
+    label: word('Negative weights under noise'),
+    look: word('The same bunny, shaken along its normals: no face is flat any more, and B still has few.'),
+    place: word('p. 31'),
     source: preset('noisy-bunny'),
     figure: () => ({}),
   },
   {
     id: 'smoothing',
-    label: 'Noise smoothed away',
-    look: 'After ten steps A and B look alike; what tells them apart is shown tenfold.',
-    place: 'Figs. 4.7, 4.8',
+    label: word('Noise smoothed away'),
+    look: word('After ten steps A and B look alike; what tells them apart is shown tenfold.'),
+    place: word('Figs. 4.7, 4.8'),
     source: preset('noisy-torus'),
     figure: (state) => ({
       task: 'smooth',
@@ -119,9 +120,9 @@ const figures: readonly Entry[] = [
   },
   {
     id: 'two-cuts',
-    label: 'Two triangulations of a quad',
-    look: 'Cut along one diagonal the quad has a negative weight; Delaunay takes the other one.',
-    place: 'Fig. 4.6',
+    label: word('Two triangulations of a quad'),
+    look: word('Cut along one diagonal the quad has a negative weight; Delaunay takes the other one.'),
+    place: word('Fig. 4.6'),
     source: preset('quad'),
     figure: () => ({
       sides: { a: choice('planar', { rule: 'fan' }), b: choice('planar') },
@@ -132,17 +133,19 @@ const figures: readonly Entry[] = [
   },
   {
     id: 'orthogonal-dual',
-    label: 'Orthogonal dual',
-    look: 'Each dual edge is at right angles to its edge. How far had the dual vertices to move for it?',
-    place: 'Figs. 4.2, 4.3',
+    label: word('Orthogonal dual'),
+    look: word('Each dual edge is at right angles to its edge. How far had the dual vertices to move for it?'),
+    place: word('Figs. 4.2, 4.3'),
     source: preset('noisy-torus'),
     figure: () => ({ task: 'dual', sides: { a: choice('orthogonal-dual'), b: choice('planar') } }),
   },
   {
     id: 'power-weights',
-    label: 'Vertex weights change the row',
-    look: 'A weight ω at a vertex changes the weights of its edges (drag it); linear functions stay harmonic, and large ω turns weights negative.',
-    place: 'Fig. 3.5',
+    label: word('Vertex weights change the row'),
+    look: word(
+      'A weight ω at a vertex changes the weights of its edges (drag it); linear functions stay harmonic, and large ω turns weights negative.',
+    ),
+    place: word('Fig. 3.5'),
     source: {
       kind: 'shape',
       shape: { id: 'voronoi', parameters: { nx: 5, ny: 5, jitter: 0.5, seed: 1 } },
@@ -156,16 +159,18 @@ const figures: readonly Entry[] = [
   },
   {
     id: 'vector-area',
-    label: 'Vector area',
-    look: 'A hexagon in no plane: its vector area is that of its largest projection, and only this is what B triangulates.',
-    place: 'Fig. 4.4',
+    label: word('Vector area'),
+    look: word(
+      'A hexagon in no plane: its vector area is that of its largest projection, and only this is what B triangulates.',
+    ),
+    place: word('Fig. 4.4'),
     source: { kind: 'shape', shape: { id: 'wavy-polygon', parameters: { n: 6, height: 0.5 } } },
     figure: () => ({ selected: 0, selectedFace: 0 }),
   },
   {
     id: 'checkerboard',
-    label: 'A checkerboard that A takes for constant',
-    look: 'Without its stabiliser (λ = 0) the kernel of A has two dimensions; the other function is drawn.',
+    label: word('A checkerboard that A takes for constant'),
+    look: word('Without its stabiliser (λ = 0) the kernel of A has two dimensions; the other function is drawn.'),
     source: preset('grid-8'),
     figure: (state) => ({
       task: 'check',
@@ -183,20 +188,20 @@ const example = (id: string, look: string): Entry => ({
 });
 
 export const groups: readonly Group[] = [
-  { label: 'Figures of the thesis', entries: figures },
+  { label: word('Figures of the thesis'), entries: figures },
   {
-    label: 'Examples',
+    label: word('Examples'),
     entries: [
-      example('noisy-torus', 'A has a negative weight on every diagonal, B none at all.'),
-      example('noisy-saddle', 'An open surface: smoothing pulls its rim in.'),
-      example('bunny', 'A closed surface, nearly everywhere smooth.'),
-      example('noisy-bunny', 'The same with noise on it, to smooth away.'),
-      example('soup', 'Pieces with dents that touch nowhere: every operator takes any simple polygon.'),
-      example('patchwork', 'A closed surface of concave faces with many corners each, in no plane.'),
+      example('noisy-torus', word('A has a negative weight on every diagonal, B none at all.')),
+      example('noisy-saddle', word('An open surface: smoothing pulls its rim in.')),
+      example('bunny', word('A closed surface, nearly everywhere smooth.')),
+      example('noisy-bunny', word('The same with noise on it, to smooth away.')),
+      example('soup', word('Pieces with dents that touch nowhere: every operator takes any simple polygon.')),
+      example('patchwork', word('A closed surface of concave faces with many corners each, in no plane.')),
     ],
   },
   {
-    label: 'Shapes',
+    label: word('Shapes'),
     entries: shapes.map((shape) => ({
       id: `shape-${shape.id}`,
       label: shape.label,

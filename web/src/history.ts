@@ -1,27 +1,28 @@
 import type { App } from './app.js';
 import type { State } from './state.js';
+import { t, word } from './words.js';
 
 /** At least so many changes can be undone. */
 const depth = 200;
 /** Changes of one thing within this time, in ms, are one: a slider's. */
 const breath = 700;
 
-/** The parts of the state that decide what is computed, and what they are called. */
+/** The parts of the state that decide what is computed, and what they are called; `t` is due where that is shown. */
 const parts: readonly (readonly [string, (state: State) => unknown])[] = [
-  ['the mesh', ({ source }) => source],
-  ['the operator of A', ({ sides }) => sides.a.operator],
-  ['the operator of B', ({ sides }) => sides.b.operator],
-  ['the parameters of A', ({ sides }) => sides.a.parameters],
-  ['the parameters of B', ({ sides }) => sides.b.parameters],
-  ['the vertex weights of A', ({ vertexWeights }) => vertexWeights.a],
-  ['the vertex weights of B', ({ vertexWeights }) => vertexWeights.b],
-  ['the smoothing', ({ moves }) => moves],
-  ['the step shown', ({ step }) => step],
-  ['the flow of A', ({ smooth }) => smooth.flow.a],
-  ['the flow of B', ({ smooth }) => smooth.flow.b],
-  ['how steps are taken', ({ smooth }) => smooth],
-  ['the pins', ({ harmonic }) => harmonic.pins],
-  ['the compromise μ', ({ dual }) => dual.mu],
+  [word('the mesh'), ({ source }) => source],
+  [word('the operator of A'), ({ sides }) => sides.a.operator],
+  [word('the operator of B'), ({ sides }) => sides.b.operator],
+  [word('the parameters of A'), ({ sides }) => sides.a.parameters],
+  [word('the parameters of B'), ({ sides }) => sides.b.parameters],
+  [word('the vertex weights of A'), ({ vertexWeights }) => vertexWeights.a],
+  [word('the vertex weights of B'), ({ vertexWeights }) => vertexWeights.b],
+  [word('the smoothing'), ({ moves }) => moves],
+  [word('the step shown'), ({ step }) => step],
+  [word('the flow of A'), ({ smooth }) => smooth.flow.a],
+  [word('the flow of B'), ({ smooth }) => smooth.flow.b],
+  [word('how steps are taken'), ({ smooth }) => smooth],
+  [word('the pins'), ({ harmonic }) => harmonic.pins],
+  [word('the compromise μ'), ({ dual }) => dual.mu],
 ];
 const stepwise = ['the mesh', 'the smoothing'];
 
@@ -31,7 +32,7 @@ const changes = (one: State, other: State) => parts.filter(([, pick]) => !same(p
 interface Entry {
   /** As it was before. */
   state: State;
-  /** What was changed then. */
+  /** What was changed then, in English. */
   what: string;
   /** Whether it was all that is on screen, task and view included. */
   whole?: boolean;
@@ -55,7 +56,7 @@ export class History {
     );
   }
 
-  /** What the next undo would take back, or null. */
+  /** What the next undo would take back, in English, or null. */
   get undoes(): string | null {
     return this.done.at(-1)?.what ?? null;
   }
@@ -65,11 +66,11 @@ export class History {
   }
 
   undo(): Promise<void> {
-    return this.travel(this.done, this.undone, 'Undone');
+    return this.travel(this.done, this.undone, word('Undone: {what}.'));
   }
 
   redo(): Promise<void> {
-    return this.travel(this.undone, this.done, 'Done again');
+    return this.travel(this.undone, this.done, word('Done again: {what}.'));
   }
 
   /** From here on: what a page opens with cannot be undone. */
@@ -140,7 +141,7 @@ export class History {
     return where(before) === where(state);
   }
 
-  private async travel(from: Entry[], to: Entry[], verb: string): Promise<void> {
+  private async travel(from: Entry[], to: Entry[], notice: string): Promise<void> {
     const { app } = this;
     const entry = from.pop();
     if (!entry) return;
@@ -151,7 +152,7 @@ export class History {
     this.tell();
     try {
       const there = entry.whole ? { ...entry.state, theme: here.theme } : { ...here, ...decisive(entry.state) };
-      if (await app.goTo(there)) app.say(`${verb}: ${entry.what}.`);
+      if (await app.goTo(there)) app.say(t(notice, { what: t(entry.what) }));
       else {
         to.pop();
         from.push(entry);

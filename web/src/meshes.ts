@@ -1,6 +1,6 @@
 import { specOf } from './answers.js';
 import type { App } from './app.js';
-import { count, plural } from './format.js';
+import { count } from './format.js';
 import { countFaces } from './mesh-text.js';
 import { describe, explain, reportOf } from './messages.js';
 import { optionsOf, upTo } from './moves.js';
@@ -18,6 +18,7 @@ import {
   type State,
   sides,
 } from './state.js';
+import { t, word } from './words.js';
 import { isCancelled, type Run } from './work.js';
 
 const tooManyFaces = 1_000_000;
@@ -60,15 +61,15 @@ export class Meshes {
     if (contents.size > tooManyBytes) {
       return this.refuse(
         name,
-        `It has ${count(contents.size / 1e6)} MB; this page takes up to ${count(tooManyBytes / 1e6)} MB.`,
+        t('It has {size} MB; this page takes up to {most} MB.', {
+          size: count(contents.size / 1e6),
+          most: count(tooManyBytes / 1e6),
+        }),
       );
     }
     const faces = await countFaces(contents, name);
     if (faces > tooManyFaces) {
-      return this.refuse(
-        name,
-        `It has ${plural(faces, 'face')}; this page takes up to ${count(tooManyFaces)}. The command line takes more.`,
-      );
+      return this.refuse(name, `${tooMany(faces)} ${t('The command line takes more.')}`);
     }
     const source: Source = { kind: 'file', name, file: this.keep(contents) };
     const { expected } = this;
@@ -84,8 +85,10 @@ export class Meshes {
     const { name } = state.source as FileSource;
     this.app.results.set({
       error: {
-        title: `The link needs ${name}`,
-        text: 'It was too large to be part of the link. Open the file here, and everything else is set as the link says.',
+        title: t('The link needs {name}', { name }),
+        text: t(
+          'It was too large to be part of the link. Open the file here, and everything else is set as the link says.',
+        ),
       },
     });
   }
@@ -122,18 +125,20 @@ export class Meshes {
   private async offerRepair(source: FileSource, error: Message): Promise<void> {
     const { app } = this;
     try {
-      const mesh = await app.work.run(`Trying to repair ${source.name}`, (run) => this.origin(repaired(source), run));
+      const mesh = await app.work.run(t('Trying to repair {name}', { name: source.name }), (run) =>
+        this.origin(repaired(source), run),
+      );
       void mesh.close();
     } catch {
       return;
     }
     const act = () => this.take(repaired(source));
     if (app.results.get().error === error)
-      app.results.set({ error: { ...error, offer: { label: 'Repair and open', act } } });
+      app.results.set({ error: { ...error, offer: { label: t('Repair and open'), act } } });
   }
 
   private refuse(name: string, text: string): Message {
-    const error = { title: `${name} is too large`, text };
+    const error = { title: t('{name} is too large', { name }), text };
     this.app.results.set({ error, notice: error.title });
     return error;
   }
@@ -156,21 +161,24 @@ export class Meshes {
     app.work.makeWay();
     let mesh: Mesh;
     try {
-      mesh = await app.work.run(source.kind === 'file' ? `Opening ${label}` : `Making ${label}`, make);
+      mesh = await app.work.run(
+        t(source.kind === 'file' ? word('Opening {name}') : word('Making {name}'), { name: label }),
+        make,
+      );
       if (mesh.faces > tooManyFaces) {
         void mesh.close();
-        throw new Error(`It has ${plural(mesh.faces, 'face')}; this page takes up to ${count(tooManyFaces)}.`);
+        throw new Error(tooMany(mesh.faces));
       }
     } catch (reason) {
       this.awaited--;
       app.answers.again();
       if (turn !== this.opening) return null;
       if (isCancelled(reason)) {
-        app.say(`Opening ${label} was cancelled; the mesh is as it was.`);
+        app.say(t('Opening {name} was cancelled; the mesh is as it was.', { name: label }));
         return null;
       }
       const opened = source.kind === 'file' && !source.changes;
-      const title = opened ? `${label} could not be opened` : `${label} could not be made`;
+      const title = t(opened ? word('{name} could not be opened') : word('{name} could not be made'), { name: label });
       const error: Message = { title, text: explain(reason) };
       app.results.set({ error, notice: title });
       if (opened && !source.repaired) void this.offerRepair(source, error);
@@ -233,10 +241,16 @@ export class Meshes {
       return 'shape' in preset ? client.make(preset.shape, run) : load(client, preset, run);
     }
     const contents = this.contents(source.file);
-    if (!contents) throw new Error('The file is not here any more');
+    if (!contents) throw new Error(t('The file is not here any more'));
     return client.open(contents, source.name, { ...run, repair: source.repaired ?? false });
   }
 }
+
+const tooMany = (faces: number) =>
+  t('It has {n} face; this page takes up to {most}.|It has {n} faces; this page takes up to {most}.', {
+    n: faces,
+    most: count(tooManyFaces),
+  });
 
 type FileSource = Extract<Source, { kind: 'file' }>;
 

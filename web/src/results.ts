@@ -14,6 +14,7 @@ import type {
   Stability,
   Weights,
 } from './polylap.js';
+import { t } from './words.js';
 
 /** What the core said about one side's surface. A string stands where it said why not. */
 export interface SideResults {
@@ -85,7 +86,7 @@ export interface Results {
   edge: number | null;
   /** What the camera was turned to. */
   place: Place | null;
-  /** What the next undo would take back, and the next redo bring again. */
+  /** What the next undo would take back, and the next redo bring again; in English. */
   undoes: string | null;
   redoes: string | null;
 }
@@ -118,7 +119,7 @@ export function noResults(): Results {
     error: null,
     report: null,
     difference: null,
-    notice: 'Starting …',
+    notice: t('Starting …'),
     busy: null,
     playing: false,
     hovered: null,

@@ -9,11 +9,11 @@ import type { Results } from './results.js';
 import { type State, sides } from './state.js';
 import { isFaceRefused, littleLeft, nothingLeft, type Stop, stopped } from './stops.js';
 import { type Marks, type Surfaces, Trail } from './trail.js';
+import { t } from './words.js';
 import { isCancelled } from './work.js';
 
 /** Milliseconds between steps when playing: slow enough to watch. */
 const stepPace = 90;
-const playingNotice = 'Smoothing …';
 /** What the surfaces on the way may take, in bytes. */
 const trailSize = 256e6;
 
@@ -96,7 +96,7 @@ export class Smoothing {
     if (results.get().playing || !results.get().mesh) return;
     const turn = ++this.plays;
     const goesOn = () => results.get().playing && turn === this.plays;
-    results.set({ playing: true, error: null, notice: playingNotice });
+    results.set({ playing: true, error: null, notice: t('Smoothing …') });
     while (goesOn()) {
       const pace = new Promise((done) => setTimeout(done, stepPace));
       await this.step();
@@ -120,7 +120,7 @@ export class Smoothing {
   async reset(): Promise<void> {
     await this.goTo([]);
     this.app.results.set({ error: null });
-    this.app.say('Back to the loaded mesh.', ofSteps);
+    this.app.say(t('Back to the loaded mesh.'), ofSteps);
   }
 
   /** What is under way is joined, not doubled. */
@@ -140,7 +140,7 @@ export class Smoothing {
     const settled = await Promise.allSettled(
       sides.map((side) => {
         const spec = specOf(move.sides[side], move.vertexWeights[side], mesh.vertices);
-        const label = `${side.toUpperCase()}: step ${step + 1}`;
+        const label = `${side.toUpperCase()}: ${t('step {step}', { step: step + 1 })}`;
         return app.work.run(label, (run) => mesh.smooth(spec, optionsOf(move, side, mesh), { side, ...run }), side);
       }),
     );
@@ -166,7 +166,7 @@ export class Smoothing {
     for (const [k, side] of sides.entries()) {
       const outcome = settled[k];
       if (outcome?.status !== 'rejected') continue;
-      if (isCancelled(outcome.reason)) patch.notice = 'Cancelled; the surfaces are those of the last finished step.';
+      if (isCancelled(outcome.reason)) patch.notice = t('Cancelled; the surfaces are those of the last finished step.');
       else {
         const area = app.results.get()[side].shape?.area ?? this.loadedArea;
         // What unstable steps blow up has not collapsed.
@@ -186,7 +186,7 @@ export class Smoothing {
     const { app } = this;
     const there = this.trail.at(step);
     try {
-      const done = app.work.run('Back to an earlier surface', async () => {
+      const done = app.work.run(t('Back to an earlier surface'), async () => {
         if (there) await Promise.all(sides.map((side) => mesh.restore(there[side], { side })));
         else await mesh.reset();
       });
@@ -201,7 +201,7 @@ export class Smoothing {
       }
       await done;
     } catch (reason) {
-      app.fail(mesh, 'The surfaces could not be put back', reason);
+      app.fail(mesh, t('The surfaces could not be put back'), reason);
     }
   }
 
@@ -213,7 +213,7 @@ export class Smoothing {
       const { step, positions, stats, solve } = surfaces[side];
       patch[side] = { ...results[side], step, positions, shape: stats, solve };
       if (stats.area < nothingLeft * this.loadedArea)
-        stops.push({ side, step, collapsed: true, reason: 'Less than a millionth of its area is left.' });
+        stops.push({ side, step, collapsed: true, reason: t('Less than a millionth of its area is left.') });
     }
     if (stops.length > 0) Object.assign(patch, { playing: false }, stopNews(stops));
     app.state.set(state);
@@ -224,7 +224,8 @@ export class Smoothing {
   /** Unless there is other news already. */
   private sayPaused(): void {
     const { notice, a, b } = this.app.results.get();
-    if (notice === playingNotice) this.app.say(`Paused at step ${count(Math.min(a.step, b.step))}.`, ofSteps);
+    if (notice === t('Smoothing …'))
+      this.app.say(t('Paused at step {step}.', { step: count(Math.min(a.step, b.step)) }), ofSteps);
   }
 }
 
@@ -232,5 +233,5 @@ const ofSteps = ({ step, source }: State) => [step, source];
 
 const stopNews = (stops: readonly Stop[]): Partial<Results> => ({
   error: stopped(stops),
-  notice: `Stopped at step ${count(Math.max(...stops.map((stop) => stop.step)))}.`,
+  notice: t('Stopped at step {step}.', { step: count(Math.max(...stops.map((stop) => stop.step))) }),
 });

@@ -1,5 +1,6 @@
 import { exact, real } from './format.js';
 import type { Stability } from './polylap.js';
+import { t } from './words.js';
 
 /** What an explicit step does, for people. */
 export interface Verdict {
@@ -32,9 +33,12 @@ export function verdict(stability: Stability, timeH2: number, h2: number): Verdi
     const bend = real(smallest * h2, 3);
     return {
       unstable: true,
-      compared: 'no step is stable',
+      compared: t('no step is stable'),
       roughest,
-      effect: `S has the eigenvalue ${bend}/h², and a mode grows ${fold(factor)} a step${sign(factor)}.`,
+      effect: t('S has the eigenvalue {bend}/h², and a mode grows {factor}-fold a step{sign}.', {
+        bend,
+        ...grown(factor),
+      }),
     };
   }
   if (timeH2 * h2 > limit)
@@ -42,15 +46,17 @@ export function verdict(stability: Stability, timeH2: number, h2: number): Verdi
       unstable: true,
       compared: `t = ${step} h² > ${limitText} h²`,
       roughest,
-      effect: `the roughest mode grows ${fold(factor)} a step${sign(factor)}.`,
+      effect: t('the roughest mode grows {factor}-fold a step{sign}.', grown(factor)),
     };
   return {
     unstable: false,
-    compared: `stable for t < ${limitText} h²`,
+    compared: t('stable for t < {limit} h²', { limit: limitText }),
     roughest,
-    effect: `a step multiplies the roughest mode by ${real(factor, 2)}.`,
+    effect: t('a step multiplies the roughest mode by {factor}.', { factor: real(factor, 2) }),
   };
 }
 
-const fold = (factor: number) => `${real(Math.abs(factor), Math.abs(factor) < 1.1 ? 4 : 2)}-fold`;
-const sign = (factor: number) => (factor < 0 ? ', with alternating sign' : '');
+const grown = (factor: number) => ({
+  factor: real(Math.abs(factor), Math.abs(factor) < 1.1 ? 4 : 2),
+  sign: factor < 0 ? t(', with alternating sign') : '',
+});

@@ -2,6 +2,7 @@ import type { ColourMap } from './colour-maps.js';
 import type { Move } from './moves.js';
 import type { ConversionSpec, Flow, MakerInfo, OperatorInfo, PropertyId, ShapeSpec, Side } from './polylap.js';
 import { conversions, operators, shapes } from './polylap.js';
+import { t, word } from './words.js';
 
 export type Task = 'weights' | 'smooth' | 'harmonic' | 'dual' | 'check';
 export type Theme = 'auto' | 'light' | 'dark';
@@ -112,22 +113,26 @@ export type Preset = {
 const bunny = 'meshes/quad-bunny.obj';
 
 export const presets: readonly Preset[] = [
-  { id: 'noisy-torus', label: 'Noisy torus', shape: { shape: 'torus', nu: 32, nv: 16, noise: 0.3, seed: 1 } },
-  { id: 'torus', label: 'Torus', shape: { shape: 'torus', nu: 32, nv: 16 } },
-  { id: 'noisy-saddle', label: 'Noisy saddle', shape: { shape: 'saddle', n: 16, height: 0.6, noise: 0.25, seed: 1 } },
-  { id: 'saddle', label: 'Saddle', shape: { shape: 'saddle', n: 16, height: 0.6 } },
-  { id: 'grid-8', label: 'Grid, 8 × 8', shape: { shape: 'grid', nx: 8, ny: 8, width: 8, height: 8 } },
-  { id: 'grid-2', label: 'Grid, 2 × 2', shape: { shape: 'grid', nx: 2, ny: 2, width: 2, height: 2 } },
-  { id: 'bunny', label: 'Quad bunny', file: bunny },
+  { id: 'noisy-torus', label: word('Noisy torus'), shape: { shape: 'torus', nu: 32, nv: 16, noise: 0.3, seed: 1 } },
+  { id: 'torus', label: word('Torus'), shape: { shape: 'torus', nu: 32, nv: 16 } },
+  {
+    id: 'noisy-saddle',
+    label: word('Noisy saddle'),
+    shape: { shape: 'saddle', n: 16, height: 0.6, noise: 0.25, seed: 1 },
+  },
+  { id: 'saddle', label: word('Saddle'), shape: { shape: 'saddle', n: 16, height: 0.6 } },
+  { id: 'grid-8', label: word('Grid, 8 × 8'), shape: { shape: 'grid', nx: 8, ny: 8, width: 8, height: 8 } },
+  { id: 'grid-2', label: word('Grid, 2 × 2'), shape: { shape: 'grid', nx: 2, ny: 2, width: 2, height: 2 } },
+  { id: 'bunny', label: word('Quad bunny'), file: bunny },
   {
     id: 'noisy-bunny',
-    label: 'Noisy quad bunny',
+    label: word('Noisy quad bunny'),
     file: bunny,
     change: { conversion: 'noise', amplitude: 0.3, seed: 1 },
   },
-  { id: 'quad', label: 'One quad', file: 'meshes/quad.obj' },
-  { id: 'soup', label: 'Polygon soup', file: 'meshes/polygon-soup.obj' },
-  { id: 'patchwork', label: 'Patchwork sphere', file: 'meshes/patchwork.obj' },
+  { id: 'quad', label: word('One quad'), file: 'meshes/quad.obj' },
+  { id: 'soup', label: word('Polygon soup'), file: 'meshes/polygon-soup.obj' },
+  { id: 'patchwork', label: word('Patchwork sphere'), file: 'meshes/patchwork.obj' },
 ];
 
 /** What the page opens with: the only place that names operators. */
@@ -216,15 +221,15 @@ export function withWeight(weights: VertexWeights, vertex: number, weight: numbe
   return weight === 0 ? rest : { ...rest, [vertex]: weight };
 }
 
-/** What the mesh is called: its origin, then what was made of it. */
-export function nameOf(source: Source): string {
+/** What the mesh is called: its origin, then what was made of it. @param say in another language than that of the page */
+export function nameOf(source: Source, say: (english: string) => string = t): string {
   const label = (table: readonly MakerInfo[], id: string) => table.find((entry) => entry.id === id)?.label ?? id;
-  const changes = (source.changes ?? []).map(({ id }) => label(conversions, id).toLowerCase());
+  const changes = (source.changes ?? []).map(({ id }) => say(label(conversions, id).toLowerCase()));
   return [originOf(source), ...changes].join(' · ');
 
   function originOf(origin: Source): string {
-    if (origin.kind === 'file') return origin.repaired ? `${origin.name} · repaired` : origin.name;
-    if (origin.kind === 'shape') return label(shapes, origin.shape.id);
-    return presets.find(({ id }) => id === origin.id)?.label ?? origin.id;
+    if (origin.kind === 'file') return origin.repaired ? `${origin.name} · ${say('repaired')}` : origin.name;
+    if (origin.kind === 'shape') return say(label(shapes, origin.shape.id));
+    return say(presets.find(({ id }) => id === origin.id)?.label ?? origin.id);
   }
 }

@@ -1,5 +1,6 @@
 import { PolylapError, type Side } from './polylap.js';
 import type { Message } from './results.js';
+import { t, word } from './words.js';
 
 /** Why a side smooths no further. */
 export interface Stop {
@@ -24,15 +25,26 @@ export function isFaceRefused(reason: unknown): boolean {
 /** One message for one side or both; each side keeps its own reason. */
 export function stopped(stops: readonly Stop[]): Message {
   const name = ({ side }: Stop) => side.toUpperCase();
-  const what = ({ step, collapsed }: Stop) =>
-    `stopped at step ${step}${collapsed ? ': the surface has collapsed there' : ''}`;
+  const one = (stop: Stop) =>
+    t(
+      stop.collapsed
+        ? word('Side {side} stopped at step {step}: the surface has collapsed there')
+        : word('Side {side} stopped at step {step}'),
+      { side: name(stop), step: stop.step },
+    );
   const [first, second] = stops;
   if (!first) throw new Error('nothing stopped');
-  if (!second) return { title: `Side ${name(first)} ${what(first)}`, text: first.reason };
-  const alike = what(first) === what(second);
-  const title = alike
-    ? `Both sides ${what(first)}`
-    : stops.map((stop) => `Side ${name(stop)} ${what(stop)}`).join('; ');
+  if (!second) return { title: one(first), text: first.reason };
+  const { step, collapsed } = first;
+  const title =
+    step === second.step && collapsed === second.collapsed
+      ? t(
+          collapsed
+            ? word('Both sides stopped at step {step}: the surface has collapsed there')
+            : word('Both sides stopped at step {step}'),
+          { step },
+        )
+      : stops.map(one).join('; ');
   const text =
     first.reason === second.reason ? first.reason : stops.map((stop) => `${name(stop)}: ${stop.reason}`).join(' ');
   return { title, text };

@@ -1,5 +1,6 @@
 import type { Side } from './polylap.js';
 import type { Busy } from './results.js';
+import { t } from './words.js';
 
 interface Job {
   label: string;
@@ -96,7 +97,7 @@ export class Work {
     if (first) {
       this.announce(
         this.waits
-          ? { label: 'Loading what this takes', fraction: null }
+          ? { label: t('Loading what this takes'), fraction: null }
           : { label: first.label, fraction: first.fraction },
       );
       return;

@@ -1,10 +1,11 @@
 import type { App } from '../app.js';
 import { Outside, outsideOf, sizeOf } from '../colouring.js';
 import { h, put } from '../dom.js';
-import { cleared, count, exact, plural, real } from '../format.js';
+import { cleared, count, exact, real } from '../format.js';
 import { type Mesh, operators, type Side } from '../polylap.js';
 import { known } from '../results.js';
 import { initialChoice, operatorOf } from '../state.js';
+import { t, word } from '../words.js';
 import { button, menu } from './controls.js';
 import { formulaParts } from './formula.js';
 import { parameterControls } from './parameters.js';
@@ -13,25 +14,25 @@ import { parameterControls } from './parameters.js';
 export function card(app: App, side: Side): { element: HTMLElement; view: HTMLElement } {
   const letter = side.toUpperCase();
   const choose = menu(
-    `Operator of ${letter}`,
-    operators.map(({ id, label }) => [id, label] as const),
+    t('Operator of {side}', { side: letter }),
+    operators.map(({ id, label }) => [id, t(label)] as const),
     (id) => app.setChoice(side, initialChoice(id)),
     { class: 'operator' },
   );
   const formula = h('div', { class: 'formula' });
   const loud = h(
     'output',
-    { class: 'loud', 'aria-label': `Negative weights of ${letter}`, 'data-readout': 'negative' },
+    { class: 'loud', 'aria-label': t('Negative weights of {side}', { side: letter }), 'data-readout': 'negative' },
     '–',
   );
   const caption = h('span', { class: 'count-name' });
   const share = h('span', { class: 'count-share' });
-  const again = button('Compute', () => app.answers.update(side), { class: 'quiet' });
+  const again = button(t('Compute'), () => app.answers.update(side), { class: 'quiet' });
   const view = h('div', {
     class: 'view',
     tabindex: 0,
     role: 'application',
-    'aria-roledescription': '3D view',
+    'aria-roledescription': t('3D view'),
     'data-view': side,
   });
   const at = h('span', { 'data-readout': 'vertex' });
@@ -40,7 +41,7 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
   const figures = h('p', { class: 'figures' });
   const element = h(
     'section',
-    { class: 'card', 'data-side': side, 'aria-label': `Side ${letter}` },
+    { class: 'card', 'data-side': side, 'aria-label': t('Side {side}', { side: letter }) },
     h('header', { class: 'card-head' }, h('span', { class: 'badge', 'aria-hidden': 'true' }, letter), choose, formula),
     h('div', { class: 'count' }, loud, h('p', { class: 'count-text' }, caption, share), again),
     view,
@@ -53,11 +54,14 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
     () => {
       const operator = operatorOf(app.state.get().sides[side]);
       choose.value = operator.id;
-      choose.title = `${operator.summary}\n${operator.citation}`;
+      choose.title = `${t(operator.summary)}\n${operator.citation}`;
       formula.replaceChildren(...formulaParts(operator.formulaMathml));
       view.setAttribute(
         'aria-label',
-        `Mesh ${letter}, ${operator.label}. Arrow keys turn it, plus and minus zoom, 0 shows all of it.`,
+        t('Mesh {side}, {operator}. Arrow keys turn it, plus and minus zoom, 0 shows all of it.', {
+          side: letter,
+          operator: t(operator.label),
+        }),
       );
     },
   );
@@ -68,9 +72,18 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
       const there = weights !== null && !failed;
       put(loud, there ? count(weights.negativeOrdered) : '–', there ? weights.negativeOrdered : null);
       loud.classList.toggle('negative', there && weights.negativeOrdered > 0);
-      caption.textContent =
-        there && weights.negativeOrdered === 1 ? 'negative weight' : failed ? 'no weights' : 'negative weights';
-      share.textContent = there ? `of ${count(weights.nonzeroOrdered)} off-diagonal pairs` : failed ? weights : ' ';
+      caption.textContent = t(
+        there && weights.negativeOrdered === 1
+          ? word('negative weight')
+          : failed
+            ? word('no weights')
+            : word('negative weights'),
+      );
+      share.textContent = there
+        ? t('of {all} off-diagonal pairs', { all: count(weights.nonzeroOrdered) })
+        : failed
+          ? weights
+          : ' ';
       share.title = share.textContent;
       again.hidden = !failed;
     },
@@ -86,11 +99,11 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
         h(
           'span',
           { 'data-readout': 'vertices', 'data-value': mesh.vertices },
-          plural(mesh.vertices, 'vertex', 'vertices'),
+          t('{n} vertex|{n} vertices', { n: mesh.vertices }),
         ),
         ' · ',
-        h('span', { 'data-readout': 'faces', 'data-value': mesh.faces }, plural(mesh.faces, ...faceNames(mesh))),
-        ' · mean non-planarity ',
+        h('span', { 'data-readout': 'faces', 'data-value': mesh.faces }, faceCount(mesh)),
+        ` · ${t('mean non-planarity')} `,
         planarity,
       );
     },
@@ -99,7 +112,7 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
     const results = app.results.get();
     const { selected, task } = app.state.get();
     if (results.hoveredFace !== null) {
-      put(at, `face ${results.hoveredFace}`);
+      put(at, t('face {face}', { face: results.hoveredFace }));
       return;
     }
     const vertex = results.hovered ?? selected;
@@ -107,7 +120,7 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
     const shown = task === 'harmonic' ? known(harmonic) : null;
     const value = shown?.values[vertex ?? -1];
     const text = shown && value !== undefined ? `: ${exact(cleared(value, sizeOf(shown)))}` : '';
-    put(at, vertex === null ? '' : `vertex ${vertex}${text}`, value);
+    put(at, vertex === null ? '' : `${t('vertex {vertex}', { vertex })}${text}`, value);
   };
   const showOutside = () => {
     const shown = app.state.get().task === 'harmonic' ? known(app.results.get()[side].harmonic) : null;
@@ -115,10 +128,10 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
     const above = leaving.filter(([, where]) => where === Outside.above).length;
     const below = leaving.length - above;
     const texts = shown
-      ? [[below, 'below', shown.fixedMin] as const, [above, 'above', shown.fixedMax] as const].flatMap(
-          ([number, where, end]) =>
-            number > 0 ? [`${plural(number, 'vertex', 'vertices')} ${where} ${exact(end)}`] : [],
-        )
+      ? [
+          [below, word('{n} vertex below {end}|{n} vertices below {end}'), shown.fixedMin] as const,
+          [above, word('{n} vertex above {end}|{n} vertices above {end}'), shown.fixedMax] as const,
+        ].flatMap(([n, text, end]) => (n > 0 ? [t(text, { n, end: exact(end) })] : []))
       : [];
     put(outside, texts.join(' · '), shown ? leaving.length : null);
   };
@@ -129,7 +142,14 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
     const shown = dual?.weights[edge ?? -1];
     put(
       crossing,
-      shown === undefined ? '' : `edge ${edge}: ${real(one, 3)} and ${real(other, 3)}, weight ${real(shown, 3)}`,
+      shown === undefined
+        ? ''
+        : t('edge {edge}: {one} and {other}, weight {weight}', {
+            edge: edge ?? '',
+            one: real(one, 3),
+            other: real(other, 3),
+            weight: real(shown, 3),
+          }),
       shown,
     );
   };
@@ -142,8 +162,13 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
   return { element, view };
 }
 
-export function faceNames({ minCorners, maxCorners }: Pick<Mesh, 'minCorners' | 'maxCorners'>): [string, string] {
-  if (minCorners === maxCorners && minCorners === 3) return ['triangle', 'triangles'];
-  if (minCorners === maxCorners && minCorners === 4) return ['quad', 'quads'];
-  return ['face', 'faces'];
+/** By what they are, where they are alike. */
+export function faceCount({
+  faces: n,
+  minCorners,
+  maxCorners,
+}: Pick<Mesh, 'faces' | 'minCorners' | 'maxCorners'>): string {
+  const alike = minCorners === maxCorners ? minCorners : 0;
+  if (alike === 3) return t('{n} triangle|{n} triangles', { n });
+  return alike === 4 ? t('{n} quad|{n} quads', { n }) : t('{n} face|{n} faces', { n });
 }

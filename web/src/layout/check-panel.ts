@@ -3,6 +3,7 @@ import { h } from '../dom.js';
 import { cleared, count, real } from '../format.js';
 import { known } from '../results.js';
 import { sides } from '../state.js';
+import { t, word } from '../words.js';
 import { button, menu } from './controls.js';
 import { convergenceSection } from './convergence-section.js';
 import { propertyTable } from './property-table.js';
@@ -12,7 +13,7 @@ import { sideTable } from './table.js';
 /** The properties of both operators on the mesh at hand: what they claim, what is measured. */
 export function checkPanel(app: App): HTMLElement {
   const trouble = h('p', { class: 'note', 'data-readout': 'check-trouble' });
-  const again = button('Measure', () => app.answers.updateBoth(), { 'data-action': 'check-again' });
+  const again = button(t('Measure'), () => app.answers.updateBoth(), { 'data-action': 'check-again' });
   app.results.watch(
     (results) => [results.a.check, results.b.check],
     (...both) => {
@@ -25,7 +26,7 @@ export function checkPanel(app: App): HTMLElement {
     'div',
     { class: 'panel-body' },
     propertyTable(app),
-    h('section', {}, h('h2', {}, 'Numbers'), numbers(app), trouble, again),
+    h('section', {}, h('h2', {}, t('Numbers')), numbers(app), trouble, again),
     kernelModes(app),
     spectrumSection(app),
     convergenceSection(app),
@@ -33,16 +34,16 @@ export function checkPanel(app: App): HTMLElement {
 }
 
 function numbers(app: App): HTMLElement {
-  const table = sideTable('Numbers', [
-    { id: 'negative-ordered', name: 'negative weights, ordered' },
-    { id: 'negative-pairs', name: 'negative weights, pairs' },
-    { id: 'smallest-eigenvalue', name: 'smallest eigenvalue' },
-    { id: 'largest-eigenvalue', name: 'largest eigenvalue' },
-    { id: 'kernel', name: 'kernel dimension' },
-    { id: 'components', name: 'parts of the mesh' },
-    { id: 'condition', name: 'condition number' },
-    { id: 'smallest-mass', name: 'smallest mass' },
-    { id: 'smallest-mass-vertex', name: 'at vertex' },
+  const table = sideTable(t('Numbers'), [
+    { id: 'negative-ordered', name: t('negative weights, ordered') },
+    { id: 'negative-pairs', name: t('negative weights, pairs') },
+    { id: 'smallest-eigenvalue', name: t('smallest eigenvalue') },
+    { id: 'largest-eigenvalue', name: t('largest eigenvalue') },
+    { id: 'kernel', name: t('kernel dimension') },
+    { id: 'components', name: t('parts of the mesh') },
+    { id: 'condition', name: t('condition number') },
+    { id: 'smallest-mass', name: t('smallest mass') },
+    { id: 'smallest-mass-vertex', name: t('at vertex') },
   ]);
   for (const side of sides) {
     app.results.watch(
@@ -57,7 +58,9 @@ function numbers(app: App): HTMLElement {
           real(cleared(value, check?.largestEigenvalue ?? 0), 3),
         );
         put('largest-eigenvalue', check?.largestEigenvalue, (value) => real(value, 4));
-        put('kernel', check?.kernelDimension, (value) => `${check?.kernelComplete ? '' : 'at least '}${count(value)}`);
+        put('kernel', check?.kernelDimension, (value) =>
+          check?.kernelComplete ? count(value) : t('at least {value}', { value: count(value) }),
+        );
         put('components', check?.components, count);
         put('condition', check?.condition, (value) => real(value, 3));
         put('smallest-mass', check?.smallestMass, (value) => real(value, 3));
@@ -70,7 +73,7 @@ function numbers(app: App): HTMLElement {
             : {
                 text: count(vertex),
                 value: vertex,
-                label: `vertex ${count(vertex)}`,
+                label: t('vertex {vertex}', { vertex: count(vertex) }),
                 act: () => app.show({ side, vertices: [vertex] }),
               },
         );
@@ -84,7 +87,7 @@ function numbers(app: App): HTMLElement {
 function kernelModes(app: App): HTMLElement {
   const rows = sides.map((side) => {
     const letter = side.toUpperCase();
-    const choose = menu(`Kernel mode of ${letter}`, [], (value) =>
+    const choose = menu(t('Kernel mode of {side}', { side: letter }), [], (value) =>
       app.setMode(side, value === '' ? null : Number(value)),
     );
     app.results.watch(
@@ -92,9 +95,16 @@ function kernelModes(app: App): HTMLElement {
       (answer) => {
         const modes = known(answer)?.kernelModes ?? [];
         choose.replaceChildren(
-          h('option', { value: '' }, modes.length === 0 ? 'none' : 'none shown'),
+          h('option', { value: '' }, modes.length === 0 ? t('none') : t('none shown')),
           ...modes.map((mode, k) =>
-            h('option', { value: k }, `${k + 1} of ${modes.length}${isConstant(mode) ? ', constant' : ''}`),
+            h(
+              'option',
+              { value: k },
+              t(isConstant(mode) ? word('{some} of {all}, constant') : word('{some} of {all}'), {
+                some: k + 1,
+                all: modes.length,
+              }),
+            ),
           ),
         );
         choose.disabled = modes.length === 0;
@@ -108,13 +118,18 @@ function kernelModes(app: App): HTMLElement {
         choose.value = String(mode ?? '');
       },
     );
-    return h('div', { class: 'line' }, h('span', { class: 'line-name' }, `mode of ${letter}`), choose);
+    return h(
+      'div',
+      { class: 'line' },
+      h('span', { class: 'line-name' }, t('mode of {side}', { side: letter })),
+      choose,
+    );
   });
   return h(
     'section',
     {},
-    h('h2', {}, 'Kernel'),
-    h('p', { class: 'note' }, 'Constants and nothing else should be in it. Choose a mode to see it on the mesh.'),
+    h('h2', {}, t('Kernel')),
+    h('p', { class: 'note' }, t('Constants and nothing else should be in it. Choose a mode to see it on the mesh.')),
     ...rows,
   );
 }

@@ -1,12 +1,16 @@
+import { decimals } from '../digits.js';
 import { h } from '../dom.js';
 import { exact } from '../format.js';
 import { focusedBy } from '../scope.js';
+import { language, t, word } from '../words.js';
 
 let ids = 0;
 export const newId = (stem: string) => `${stem}-${++ids}`;
 
 export interface NumberOptions {
   label: string;
+  /** Which has that label: this one gets an addition. */
+  besideSlider?: boolean;
   min?: number;
   max?: number | (() => number);
   integer?: boolean;
@@ -27,18 +31,20 @@ export function numberField(options: NumberOptions): {
   set: (value: number | null) => void;
 } {
   let held: number | null = null;
-  const { label, min = -Infinity, integer = false, step } = options;
-  // The slider beside it has the name without the addition.
-  const subject = label.replace(/, value$/, '');
+  const { label: subject, min = -Infinity, integer = false, step } = options;
+  const label = options.besideSlider ? t('{name}, value', { name: subject }) : subject;
   const max = () => (typeof options.max === 'function' ? options.max() : (options.max ?? Infinity));
   const valid = (value: number) => value >= min && value <= max() && (!integer || Number.isInteger(value));
   const allowed = () => {
-    const kind = integer ? 'whole numbers' : 'numbers';
+    const kind = t(integer ? word('whole numbers') : word('numbers'));
+    const [low, high] = [exact(min), exact(max())];
     if (min === -Infinity && max() === Infinity) return kind;
-    return max() === Infinity ? `${kind} from ${exact(min)}` : `${kind} from ${exact(min)} to ${exact(max())}`;
+    return max() === Infinity
+      ? t('{kind} from {low}', { kind, low })
+      : t('{kind} from {low} to {high}', { kind, low, high });
   };
   const write = (value: number | null) => {
-    element.value = value === null ? '' : String(value);
+    element.value = value === null ? '' : decimals(String(value), language());
     element.removeAttribute('aria-invalid');
   };
   const take = (value: number) => {
@@ -66,7 +72,9 @@ export function numberField(options: NumberOptions): {
       const text = element.value.trim();
       if (text === '' && options.onEmpty) options.onEmpty();
       else if (text !== '' && !valid(parseNumber(text)))
-        options.onRefuse(`${subject} takes ${allowed()}, not ${text.slice(0, 24)}.`);
+        options.onRefuse(
+          t('{name} takes {numbers}, not {text}.', { name: subject, numbers: allowed(), text: text.slice(0, 24) }),
+        );
       if (text !== '' || !options.onEmpty) write(held);
     },
     onkeydown: (event: KeyboardEvent) => {

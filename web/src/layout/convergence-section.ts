@@ -1,9 +1,10 @@
 import type { App } from '../app.js';
 import { h } from '../dom.js';
-import { count, real } from '../format.js';
+import { real, written } from '../format.js';
 import type { ConvergenceStudy, Side } from '../polylap.js';
 import { known } from '../results.js';
 import { operatorOf, sides, studied } from '../state.js';
+import { t, told } from '../words.js';
 import { askedSection } from './asked-section.js';
 
 /** Whether the two operators approach the smooth one on finer and finer meshes. */
@@ -20,9 +21,9 @@ export function convergenceSection(app: App): HTMLElement {
     );
   };
   return askedSection(app, {
-    title: 'Convergence',
-    note: ['The error against the smooth operator on finer and finer meshes of the study’s own.'],
-    label: 'Study convergence',
+    title: t('Convergence'),
+    note: [t('The error against the smooth operator on finer and finer meshes of the study’s own.')],
+    label: t('Study convergence'),
     action: 'study',
     ask: () => app.answers.study(),
     found: ({ study }) => study,
@@ -39,25 +40,26 @@ function familyTable(app: App, family: string, studyOf: (side: Side) => Converge
     if (!level) return [h('td', {}, '–'), h('td', {}, '')];
     return [
       h('td', { 'data-value': level.error }, real(level.error, 2)),
-      h('td', { 'data-value': level.order }, Number.isNaN(level.order) ? '' : level.order.toFixed(2).replace('-', '−')),
+      h('td', { 'data-value': level.order }, Number.isNaN(level.order) ? '' : written(level.order.toFixed(2))),
     ];
   };
   const verdict = (side: Side) => {
     const study = studies[side];
     if (!study) return `${side.toUpperCase()}: –`;
     const { where } = operatorOf(app.state.get().sides[side]).claims[studied];
-    const found = study.converges ? '✓ converges' : '✗ does not converge';
-    return `${side.toUpperCase()} claims ${where}: ${found}${study.failure ? `; ${study.failure}` : ''}`;
+    const found = study.converges ? t('✓ converges') : t('✗ does not converge');
+    const claimed = t('{side} claims {where}', { side: side.toUpperCase(), where: t(where) });
+    return `${claimed}: ${found}${study.failure ? `; ${told(study.failure)}` : ''}`;
   };
   return h(
     'div',
     { class: 'study', 'data-family': family },
-    h('h3', {}, family),
-    h('p', { class: 'note' }, longest?.problem ?? ''),
+    h('h3', {}, t(family)),
+    h('p', { class: 'note' }, t(longest?.problem ?? '')),
     h(
       'table',
       { class: 'readouts study-table' },
-      h('caption', { class: 'unseen' }, `Convergence, ${family}`),
+      h('caption', { class: 'unseen' }, t('Convergence, {family}', { family: t(family) })),
       h(
         'thead',
         {},
@@ -66,8 +68,8 @@ function familyTable(app: App, family: string, studyOf: (side: Side) => Converge
           {},
           h('th', { scope: 'col' }, h('i', {}, 'h')),
           ...['A', 'B'].flatMap((letter) => [
-            h('th', { scope: 'col' }, `${letter} error`),
-            h('th', { scope: 'col', 'aria-label': `${letter} order` }, 'order'),
+            h('th', { scope: 'col' }, t('{side} error', { side: letter })),
+            h('th', { scope: 'col', 'aria-label': t('{side} order', { side: letter }) }, t('order')),
           ]),
         ),
       ),
@@ -77,7 +79,7 @@ function familyTable(app: App, family: string, studyOf: (side: Side) => Converge
         ...(longest?.levels ?? []).map(({ h: size, vertices }, k) =>
           h(
             'tr',
-            { title: `${count(vertices)} vertices` },
+            { title: t('{n} vertex|{n} vertices', { n: vertices }) },
             h('th', { scope: 'row' }, real(size, 2)),
             ...cells(studies.a, k),
             ...cells(studies.b, k),

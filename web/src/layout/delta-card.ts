@@ -4,14 +4,15 @@ import { h, put } from '../dom.js';
 import { exact, real } from '../format.js';
 import { onDrag } from '../scene/drag.js';
 import { gains, type State } from '../state.js';
+import { t } from '../words.js';
 import { button, slider } from './controls.js';
 import { ramp } from './ramp.js';
 
 /** The third view: how far B is from A, amplified; or A and B in one view, with a line between them to drag. */
 export function deltaCard(app: App): { element: HTMLElement; view: HTMLElement } {
   const set = (patch: Partial<State['delta']>) => app.state.set({ delta: { ...app.state.get().delta, ...patch } });
-  const loud = h('output', { class: 'loud', 'aria-label': 'Largest difference', 'data-readout': 'delta-max' }, '–');
-  const caption = h('span', { title: 'h: the mean edge length of the loaded mesh' });
+  const loud = h('output', { class: 'loud', 'aria-label': t('Largest difference'), 'data-readout': 'delta-max' }, '–');
+  const caption = h('span', { title: t('h: the mean edge length of the loaded mesh') });
   const rms = h('span', { 'data-readout': 'delta-rms' });
   const where = button('', () => void app.select(app.results.get().difference?.vertex ?? null), {
     class: 'quiet',
@@ -21,7 +22,7 @@ export function deltaCard(app: App): { element: HTMLElement; view: HTMLElement }
     class: 'view',
     tabindex: 0,
     role: 'application',
-    'aria-roledescription': '3D view',
+    'aria-roledescription': t('3D view'),
     'data-view': 'delta',
   });
   const divider = h('div', { class: 'divider', 'aria-hidden': 'true' });
@@ -39,13 +40,13 @@ export function deltaCard(app: App): { element: HTMLElement; view: HTMLElement }
     cancel: () => set({ swipe: before }),
   });
   const gainButtons = gains.map((gain) =>
-    button(`× ${gain}`, () => set({ gain, swipe: null }), { 'aria-label': `Difference times ${gain}` }),
+    button(`× ${gain}`, () => set({ gain, swipe: null }), { 'aria-label': t('Difference times {gain}', { gain }) }),
   );
-  const swipeButton = button('Swipe', () => set({ swipe: app.state.get().delta.swipe ?? 0.5 }), {
+  const swipeButton = button(t('Swipe'), () => set({ swipe: app.state.get().delta.swipe ?? 0.5 }), {
     'data-action': 'swipe',
   });
   const track = slider({
-    label: 'Share of the view that shows A',
+    label: t('Share of the view that shows A'),
     min: 0,
     max: 1,
     step: 0.005,
@@ -77,13 +78,13 @@ export function deltaCard(app: App): { element: HTMLElement; view: HTMLElement }
   );
   const element = h(
     'section',
-    { class: 'card', 'data-side': 'delta', 'aria-label': 'Difference of A and B' },
+    { class: 'card', 'data-side': 'delta', 'aria-label': t('Difference of A and B') },
     h(
       'header',
       { class: 'card-head' },
       h('span', { class: 'badge', 'aria-hidden': 'true' }, 'Δ'),
       title,
-      h('div', { class: 'segments', role: 'group', 'aria-label': 'Third view' }, ...gainButtons, swipeButton),
+      h('div', { class: 'segments', role: 'group', 'aria-label': t('Third view') }, ...gainButtons, swipeButton),
     ),
     figures,
     view,
@@ -108,7 +109,9 @@ export function deltaCard(app: App): { element: HTMLElement; view: HTMLElement }
       if (swipe !== null) track.set(swipe, `${Math.round(100 * swipe)} %`);
       view.setAttribute(
         'aria-label',
-        swipe === null ? `Difference of A and B, ${gain} times` : 'A on the left, B on the right of the same view',
+        swipe === null
+          ? t('Difference of A and B, {gain} times', { gain })
+          : t('A on the left, B on the right of the same view'),
       );
       element.dataset.open = String(open);
     },
@@ -127,13 +130,17 @@ export function deltaCard(app: App): { element: HTMLElement; view: HTMLElement }
       difference ? (there ? real(difference.max, 3) : '0') : '–',
       difference ? (there ? difference.max : 0) : null,
     );
-    caption.textContent = values ? 'at most, at' : 'h at most, at';
-    put(rms, difference && there ? `root mean square ${real(difference.rms, 3)}${unit}` : '', difference?.rms ?? null);
+    caption.textContent = values ? t('at most, at') : t('h at most, at');
+    put(
+      rms,
+      difference && there ? `${t('root mean square')} ${real(difference.rms, 3)}${unit}` : '',
+      difference?.rms ?? null,
+    );
     where.hidden = !there;
     caption.hidden = !there;
-    where.textContent = difference ? `vertex ${difference.vertex}` : '';
+    where.textContent = difference ? t('vertex {vertex}', { vertex: difference.vertex }) : '';
     same.textContent =
-      difference && !there ? (values ? 'Both functions are the same.' : 'Both surfaces are the same.') : '';
+      difference && !there ? (values ? t('Both functions are the same.') : t('Both surfaces are the same.')) : '';
     if (!difference) return;
     strip.paint(difference.map);
     put(low, `${exact(difference.range.min)}${unit}`, difference.range.min);

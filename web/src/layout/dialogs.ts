@@ -1,46 +1,51 @@
 import type { App } from '../app.js';
 import { h } from '../dom.js';
 import { formatOfText } from '../mesh-text.js';
+import { t } from '../words.js';
 import { button } from './controls.js';
 
-const shortcuts: readonly (readonly [string, string])[] = [
-  ['Drag, or arrow keys', 'turn both meshes (when a view has the focus)'],
-  ['Wheel, or + and −', 'zoom; where the page scrolls, Ctrl + wheel'],
-  ['Right drag, two fingers', 'move; two fingers zoom, too'],
-  ['0, or double tap', 'show the whole mesh'],
-  ['[ and ]', 'vertex before, next vertex'],
-  ['{ and }', 'face before, next face (in Weights)'],
-  ['Click', 'select a vertex; inside a face, in Weights, the face; in Harmonic, pin'],
-  ['Enter', 'pin or unpin the selected vertex (in Harmonic, when a view has the focus)'],
+const shortcuts = (): readonly (readonly [string, string])[] => [
+  [t('Drag, or arrow keys'), t('turn both meshes (when a view has the focus)')],
+  [t('Wheel, or + and −'), t('zoom; where the page scrolls, Ctrl + wheel')],
+  [t('Right drag, two fingers'), t('move; two fingers zoom, too')],
+  [t('0, or double tap'), t('show the whole mesh')],
+  [t('[ and ]'), t('vertex before, next vertex')],
+  [t('{ and }'), t('face before, next face (in Weights)')],
+  [t('Click'), t('select a vertex; inside a face, in Weights, the face; in Harmonic, pin')],
+  [t('Enter'), t('pin or unpin the selected vertex (in Harmonic, when a view has the focus)')],
   [
-    'Drag a pin’s label, or arrow keys on it',
-    'take the pin to another vertex; Enter opens its value, Delete removes it',
+    t('Drag a pin’s label, or arrow keys on it'),
+    t('take the pin to another vertex; Enter opens its value, Delete removes it'),
   ],
-  ['Drag ω up or down', 'change the weight of a vertex, where the operator takes weights; arrow keys and Delete, too'],
-  ['Page Up, Page Down', 'from label to label'],
-  ['Drag the line', 'show more of A or of B (in Δ Difference, Swipe)'],
-  ['Space', 'play or pause (in Smooth, when a view has the focus)'],
-  ['Ctrl Z, Ctrl Shift Z', 'undo, redo: everything that changes a result'],
-  ['Ctrl V', 'open the text of an OBJ, OFF, PLY or STL file from the clipboard'],
-  ['?', 'this help'],
+  [
+    t('Drag ω up or down'),
+    t('change the weight of a vertex, where the operator takes weights; arrow keys and Delete, too'),
+  ],
+  [t('Page Up, Page Down'), t('from label to label')],
+  [t('Drag the line'), t('show more of A or of B (in Δ Difference, Swipe)')],
+  [t('Space'), t('play or pause (in Smooth, when a view has the focus)')],
+  [t('Ctrl Z, Ctrl Shift Z'), t('undo, redo: everything that changes a result')],
+  [t('Ctrl V'), t('open the text of an OBJ, OFF, PLY or STL file from the clipboard')],
+  ['?', t('this help')],
 ];
 
 export function helpDialog(): HTMLDialogElement {
   const dialog = h(
     'dialog',
     { class: 'dialog', 'aria-labelledby': 'help-title' },
-    h('h2', { id: 'help-title' }, 'Two Laplacians, one mesh'),
+    h('h2', { id: 'help-title' }, t('Two Laplacians, one mesh')),
     h(
       'p',
       {},
-      'Each side builds a discrete Laplace operator from the same polygons and counts its negative weights, pair by ordered pair. A negative weight breaks the maximum principle: ',
-      'see it happen in Harmonic, what each operator makes of the surface in Smooth, and what else it promises and keeps in Check. Everything is computed on your machine; nothing is uploaded. Vertices and faces count from 0, lines of a file from 1.',
+      t(
+        'Each side builds a discrete Laplace operator from the same polygons and counts its negative weights, pair by ordered pair. A negative weight breaks the maximum principle: see it happen in Harmonic, what each operator makes of the surface in Smooth, and what else it promises and keeps in Check. Everything is computed on your machine; nothing is uploaded. Vertices and faces count from 0, lines of a file from 1.',
+      ),
     ),
-    h('dl', { class: 'shortcuts' }, ...shortcuts.flatMap(([keys, what]) => [h('dt', {}, keys), h('dd', {}, what)])),
+    h('dl', { class: 'shortcuts' }, ...shortcuts().flatMap(([keys, what]) => [h('dt', {}, keys), h('dd', {}, what)])),
     h(
       'div',
       { class: 'buttons end' },
-      button('Close', () => dialog.close(), { class: 'primary' }),
+      button(t('Close'), () => dialog.close(), { class: 'primary' }),
     ),
   );
   return dialog;
@@ -64,7 +69,7 @@ export function pasteDialog(app: App): HTMLDialogElement {
     if (!app.results.get().error) close();
   });
   const open = button(
-    'Open',
+    t('Open'),
     async () => {
       error.textContent = '';
       const format = formatOfText(text.value) ?? 'obj';
@@ -75,11 +80,13 @@ export function pasteDialog(app: App): HTMLDialogElement {
   const dialog = h(
     'dialog',
     { class: 'dialog', 'aria-labelledby': 'paste-title' },
-    h('h2', { id: 'paste-title' }, 'Paste a mesh'),
+    h('h2', { id: 'paste-title' }, t('Paste a mesh')),
     h(
       'label',
       { for: 'paste-text' },
-      'OBJ text: lines v x y z, and f with the vertices of a face, any number of them; or the text of an OFF, PLY or STL file',
+      t(
+        'OBJ text: lines v x y z, and f with the vertices of a face, any number of them; or the text of an OFF, PLY or STL file',
+      ),
     ),
     text,
     error,
@@ -87,7 +94,7 @@ export function pasteDialog(app: App): HTMLDialogElement {
       'div',
       { class: 'buttons end' },
       offer,
-      button('Close', () => dialog.close()),
+      button(t('Close'), () => dialog.close()),
       open,
     ),
   );

@@ -1,9 +1,10 @@
 import type { App } from '../app.js';
 import { h } from '../dom.js';
-import { count, real } from '../format.js';
+import { count, real, written } from '../format.js';
 import type { Dual, Geometry } from '../polylap.js';
 import { known } from '../results.js';
 import { operatorOf, type State, sides } from '../state.js';
+import { t } from '../words.js';
 import { button, numberField, slider } from './controls.js';
 import { edgeSection } from './edge-section.js';
 import { vertexField } from './number-walk.js';
@@ -16,26 +17,27 @@ const exactly = weakest - 0.1;
 
 /** The orthogonal dual: how it fits, what is drawn of it, and the compromise where it does not fit. */
 export function dualPanel(app: App): HTMLElement {
-  const figures = sideTable('Orthogonal dual', [
-    { id: 'residual', name: 'residual' },
-    { id: 'constraints', name: 'constraints' },
-    { id: 'rank', name: 'rank' },
-    { id: 'null-space', name: 'null space' },
-    { id: 'shift', name: 'largest shift' },
-    { id: 'shift-face', name: 'at face' },
+  const figures = sideTable(t('Orthogonal dual'), [
+    { id: 'residual', name: t('residual') },
+    { id: 'constraints', name: t('constraints') },
+    { id: 'rank', name: t('rank') },
+    { id: 'null-space', name: t('null space') },
+    { id: 'shift', name: t('largest shift') },
+    { id: 'shift-face', name: t('at face') },
   ]);
   const verdict = h('p', { class: 'verdict-text', 'data-readout': 'dual-verdict' });
-  const again = button('Compute', () => app.answers.updateBoth(), { 'data-action': 'dual-again' });
+  const again = button(t('Compute'), () => app.answers.updateBoth(), { 'data-action': 'dual-again' });
   const setMu = (mu: number) => app.setDual({ mu });
   const track = slider({
-    label: 'μ of the compromise',
+    label: t('μ of the compromise'),
     min: exactly,
     max: strongest,
     step: 0.1,
     onInput: (at) => setMu(at <= exactly + 0.05 ? 0 : Number((10 ** at).toPrecision(2))),
   });
   const field = numberField({
-    label: 'μ of the compromise, value',
+    label: t('μ of the compromise'),
+    besideSlider: true,
     min: 0,
     max: 1e12,
     onChange: setMu,
@@ -59,13 +61,15 @@ export function dualPanel(app: App): HTMLElement {
   const weights = h(
     'section',
     {},
-    h('h2', {}, 'Vertex weights'),
+    h('h2', {}, t('Vertex weights')),
     vertexField(app),
     vertexWeights(app),
     h(
       'p',
       { class: 'note' },
-      'These operators let ω move where an edge is crossed: (|e|² + ωᵢ − ωⱼ) / 2|e| from vertex i. The dual drawn here is found without ω.',
+      t(
+        'These operators let ω move where an edge is crossed: (|e|² + ωᵢ − ωⱼ) / 2|e| from vertex i. The dual drawn here is found without ω.',
+      ),
     ),
   );
   app.state.watch(
@@ -80,16 +84,18 @@ export function dualPanel(app: App): HTMLElement {
     h(
       'section',
       {},
-      h('h2', {}, 'Orthogonal dual'),
+      h('h2', {}, t('Orthogonal dual')),
       h(
         'p',
         { class: 'note' },
-        'A point for each face, so that the line between two neighbours is orthogonal to their edge; of all such points those nearest to the barycentres.',
+        t(
+          'A point for each face, so that the line between two neighbours is orthogonal to their edge; of all such points those nearest to the barycentres.',
+        ),
       ),
       h(
         'p',
         { class: 'note' },
-        'The dual depends on the surface only, not on the operator: A and B differ where their surfaces do.',
+        t('The dual depends on the surface only, not on the operator: A and B differ where their surfaces do.'),
       ),
       figures.element,
       verdict,
@@ -98,7 +104,7 @@ export function dualPanel(app: App): HTMLElement {
     h(
       'section',
       {},
-      h('h2', {}, 'Compromise'),
+      h('h2', {}, t('Compromise')),
       h(
         'div',
         { class: 'parameter' },
@@ -109,16 +115,18 @@ export function dualPanel(app: App): HTMLElement {
       h(
         'p',
         { class: 'note' },
-        'μ = 0 is exact. Above, points may leave the right angle to stay near their barycentres: the more, the smaller μ is.',
+        t(
+          'μ = 0 is exact. Above, points may leave the right angle to stay near their barycentres: the more, the smaller μ is.',
+        ),
       ),
     ),
     h(
       'section',
       {},
-      h('h2', {}, 'Drawn'),
-      layer('primal', 'primal', 'primal edges'),
-      layer('edges', 'dual', 'dual edges and vertices'),
-      layer('points', 'point', 'edge points, where dual edges cross'),
+      h('h2', {}, t('Drawn')),
+      layer('primal', 'primal', t('primal edges')),
+      layer('edges', 'dual', t('dual edges and vertices')),
+      layer('points', 'point', t('edge points, where dual edges cross')),
     ),
     edgeSection(app),
     weights,
@@ -127,7 +135,7 @@ export function dualPanel(app: App): HTMLElement {
   app.state.watch(
     (state) => [state.dual.mu],
     (mu) => {
-      track.set(mu === 0 ? exactly : Math.log10(mu), mu === 0 ? '0, exactly orthogonal' : String(mu));
+      track.set(mu === 0 ? exactly : Math.log10(mu), mu === 0 ? t('0, exactly orthogonal') : written(String(mu)));
       field.set(mu);
     },
   );
@@ -151,7 +159,7 @@ export function dualPanel(app: App): HTMLElement {
           mesh && face >= 0
             ? {
                 text: count(face),
-                label: `face ${count(face)}`,
+                label: t('face {face}', { face: count(face) }),
                 value: face,
                 act: () => app.show({ side, vertices: cornersOf(mesh.geometry, face) }),
               }
@@ -170,8 +178,10 @@ function verdicts(both: readonly (Dual | string | null)[]): string {
   const texts = both.map((dual) => {
     if (dual === null) return '';
     if (typeof dual === 'string') return dual;
-    if (dual.usable) return 'Every point is near its face: the dual is usable.';
-    return `The dual is not usable: a point lies ${real(dual.largestShift, 2)} face widths from its barycentre.`;
+    if (dual.usable) return t('Every point is near its face: the dual is usable.');
+    return t('The dual is not usable: a point lies {shift} face widths from its barycentre.', {
+      shift: real(dual.largestShift, 2),
+    });
   });
   const [a = '', b = ''] = texts;
   return a === b ? a : texts.map((text, k) => text && `${'AB'[k]}: ${text}`).join(' ');

@@ -15,6 +15,7 @@ import { mayBeSandboxed } from '../place.js';
 import type { MeshFormat, Side } from '../polylap.js';
 import { type SavedFile, save } from '../saving.js';
 import { sides, type View } from '../state.js';
+import { t, word } from '../words.js';
 import { button, menu, newId } from './controls.js';
 
 /** Draws a view without its surroundings. */
@@ -24,7 +25,7 @@ const formats: readonly (readonly [MeshFormat, string])[] = [
   ['obj', 'OBJ'],
   ['ply', 'PLY'],
   ['off', 'OFF'],
-  ['stl', 'STL, triangles'],
+  ['stl', word('STL, triangles')],
 ];
 
 /** Everything that can be saved. */
@@ -41,20 +42,28 @@ export function exportDialog(app: App, photograph: Photographer): HTMLDialogElem
         return;
       }
       save(file);
+      const { name } = file;
       done.textContent = mayBeSandboxed()
-        ? `Saved as ${file.name}. If nothing arrives, the frame that the page is in needs allow-downloads in its sandbox.`
-        : `Saved as ${file.name}.`;
+        ? t(
+            'Saved as {name}. If nothing arrives, the frame that the page is in needs allow-downloads in its sandbox.',
+            { name },
+          )
+        : t('Saved as {name}.', { name });
     } catch (reason) {
       said.textContent = explain(reason);
     }
   };
   const side = menu(
-    'Side',
-    sides.map((each) => [each, `Side ${each.toUpperCase()}`] as const),
+    t('Side'),
+    sides.map((each) => [each, t('Side {side}', { side: each.toUpperCase() })] as const),
     () => {},
   );
   const chosen = () => side.value as Side;
-  const format = menu('Format', formats, () => {});
+  const format = menu(
+    t('Format'),
+    formats.map(([id, label]) => [id, t(label)] as const),
+    () => {},
+  );
   const transparent = h('input', { type: 'checkbox', checked: true, 'data-field': 'transparent' });
   const shoot = async (view: View): Promise<SavedFile> => ({
     name: pictureName(app, view),
@@ -66,8 +75,8 @@ export function exportDialog(app: App, photograph: Photographer): HTMLDialogElem
     const heading = h('h3', { id: newId('export') }, title);
     return h('section', { 'aria-labelledby': heading.id }, heading, h('div', { class: 'buttons' }, ...children));
   };
-  const noRow = 'There is no row to save: select a vertex first.';
-  const difference = saver('Picture of the difference', 'png-delta', () => shoot('delta'));
+  const noRow = t('There is no row to save: select a vertex first.');
+  const difference = saver(t('Picture of the difference'), 'png-delta', () => shoot('delta'));
   app.state.watch(
     (state) => [state.delta.open, state.shown],
     (open, shown) => {
@@ -90,41 +99,43 @@ export function exportDialog(app: App, photograph: Photographer): HTMLDialogElem
   const dialog: HTMLDialogElement = h(
     'dialog',
     { class: 'dialog', 'aria-labelledby': 'export-title' },
-    h('h2', { id: 'export-title' }, 'Save'),
-    h('label', { class: 'line' }, 'What belongs to one side is taken from ', side),
+    h('h2', { id: 'export-title' }, t('Save')),
+    h('label', { class: 'line' }, t('What belongs to one side is taken from '), side),
     section(
-      'Surface',
+      t('Surface'),
       format,
-      saver('Save surface', 'surface', () => surfaceFile(app, chosen(), format.value as MeshFormat)),
+      saver(t('Save surface'), 'surface', () => surfaceFile(app, chosen(), format.value as MeshFormat)),
     ),
     section(
-      'Pictures, twice as fine as on screen',
-      h('label', { class: 'check' }, transparent, 'transparent'),
-      saver('Picture', 'png', () => shoot(chosen())),
+      t('Pictures, twice as fine as on screen'),
+      h('label', { class: 'check' }, transparent, t('transparent')),
+      saver(t('Picture'), 'png', () => shoot(chosen())),
       difference,
-      saver('Stencil of the vertex, SVG', 'svg', () => stencilFile(app, chosen(), dialog), noRow),
+      saver(t('Stencil of the vertex, SVG'), 'svg', () => stencilFile(app, chosen(), dialog), noRow),
     ),
     section(
-      'Numbers',
-      saver('S, MatrixMarket', 'stiffness', () => matrixFile(app, chosen(), 'stiffness')),
-      saver('M, MatrixMarket', 'mass', () => matrixFile(app, chosen(), 'mass')),
-      saver('Row of the vertex, CSV', 'row', () => rowFile(app), noRow),
-      saver('Positions and values, CSV', 'values', () => valuesFile(app)),
+      t('Numbers'),
+      saver(t('S, MatrixMarket'), 'stiffness', () => matrixFile(app, chosen(), 'stiffness')),
+      saver(t('M, MatrixMarket'), 'mass', () => matrixFile(app, chosen(), 'mass')),
+      saver(t('Row of the vertex, CSV'), 'row', () => rowFile(app), noRow),
+      saver(t('Positions and values, CSV'), 'values', () => valuesFile(app)),
     ),
     section(
-      'Cite the operators of A and B',
+      t('Cite the operators of A and B'),
       entries,
       button(
-        'Copy',
+        t('Copy'),
         () =>
           // Without a right to it there may be no clipboard at all.
           void (async () => navigator.clipboard.writeText(entries.value))().then(
             () => {
-              done.textContent = 'Copied.';
+              done.textContent = t('Copied.');
             },
             () => {
               entries.select();
-              said.textContent = 'The browser does not let the page copy: the entries are selected, copy them by hand.';
+              said.textContent = t(
+                'The browser does not let the page copy: the entries are selected, copy them by hand.',
+              );
             },
           ),
         { 'data-action': 'copy-bibtex' },
@@ -136,7 +147,7 @@ export function exportDialog(app: App, photograph: Photographer): HTMLDialogElem
     h(
       'div',
       { class: 'buttons end' },
-      button('Close', () => dialog.close()),
+      button(t('Close'), () => dialog.close()),
     ),
   );
   dialog.addEventListener('close', () => {

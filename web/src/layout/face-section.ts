@@ -6,6 +6,7 @@ import type { FaceReport, Side } from '../polylap.js';
 import { known, type Results } from '../results.js';
 import { save } from '../saving.js';
 import { operatorOf, sides } from '../state.js';
+import { t, told } from '../words.js';
 import { button } from './controls.js';
 import { faceDrawing } from './face-drawing.js';
 import { faceField } from './number-walk.js';
@@ -26,7 +27,7 @@ export function faceSection(app: App): HTMLElement {
       return typeof face === 'string' ? [`${side.toUpperCase()}: ${face}`] : [];
     });
     body.classList.toggle('awaited', selectedFace !== null && !faces && why.length === 0);
-    if (selectedFace === null) note('Click inside a face, or walk with { and }, to look into it.');
+    if (selectedFace === null) note(t('Click inside a face, or walk with { and }, to look into it.'));
     else if (faces) body.replaceChildren(...report(app, selectedFace, faces));
     else if (why.length > 0) note(why.join(' '));
   };
@@ -45,7 +46,10 @@ function report(app: App, face: number, faces: Faces): HTMLElement[] {
     h(
       'p',
       { 'data-face': face },
-      `Corners ${[...faces.a.corners].slice(0, mostCorners).join(', ')}${faces.a.corners.length > mostCorners ? ', …' : ''}`,
+      t('Corners {list}', {
+        list:
+          [...faces.a.corners].slice(0, mostCorners).join(', ') + (faces.a.corners.length > mostCorners ? ', …' : ''),
+      }),
     ),
     vectors(face, faces),
     h(
@@ -60,14 +64,14 @@ function report(app: App, face: number, faces: Faces): HTMLElement[] {
         ),
       ),
     ),
-    ...sides.map((side) => matrix(side, faces[side], operatorOf(app.state.get().sides[side]).label)),
+    ...sides.map((side) => matrix(side, faces[side], t(operatorOf(app.state.get().sides[side]).label))),
     h(
       'div',
       { class: 'buttons' },
       button('CSV', () => save({ name: `face-${face}.csv`, contents: new Blob([matrixCsv(faces)]) }), {
         class: 'quiet',
         'data-action': 'csv-face',
-        'aria-label': 'Matrices of the face, CSV',
+        'aria-label': t('Matrices of the face, CSV'),
       }),
     ),
   ];
@@ -79,9 +83,9 @@ const rounding = 1e-12;
 
 /** How the operator sees the face, besides its outline. */
 function cutting({ projected, triangles }: FaceReport): string {
-  if (projected.length === 0) return 'without area';
-  if (projected.length === 6) return 'a triangle';
-  return triangles.length > 0 ? 'cut dashed' : 'not cut';
+  if (projected.length === 0) return t('without area');
+  if (projected.length === 6) return t('a triangle');
+  return triangles.length > 0 ? t('cut dashed') : t('not cut');
 }
 
 /** Vector area and normal, and what they come to. */
@@ -110,23 +114,29 @@ function vectors(face: number, faces: Faces): HTMLElement {
   return h(
     'table',
     { class: 'readouts' },
-    h('caption', { class: 'unseen' }, `Vector area and normal of face ${face}`),
+    h('caption', { class: 'unseen' }, t('Vector area and normal of face {face}', { face })),
     h('thead', {}, h('tr', {}, h('td', {}), ...sides.map((side) => h('th', { scope: 'col' }, side.toUpperCase())))),
     h(
       'tbody',
       {},
       ...components('a', ({ vectorArea }) => vectorArea),
-      row('face-area', named('area |', h('i', {}, 'a'), '|'), ({ vectorArea }) => Math.hypot(...vectorArea)),
+      row('face-area', named(`${t('area')} |`, h('i', {}, 'a'), '|'), ({ vectorArea }) => Math.hypot(...vectorArea)),
       ...components('n', ({ normal }) => normal),
-      row('face-non-planarity', named('non-planarity'), ({ nonPlanarity }) => nonPlanarity),
+      row('face-non-planarity', named(t('non-planarity')), ({ nonPlanarity }) => nonPlanarity),
     ),
   );
 }
 
 /** What the face adds to S. Off the diagonal, what is above 0 is a negative weight. */
 function matrix(side: Side, { corners, stiffness, noStiffness }: FaceReport, operator: string): HTMLElement {
-  const title = h('h3', {}, h('i', {}, 'S'), h('sub', {}, 'f'), ` of ${side.toUpperCase()}`);
-  if (!stiffness) return h('div', {}, title, h('p', { class: 'note' }, `${operator} has none here: ${noStiffness}.`));
+  const title = h('h3', {}, h('i', {}, 'S'), h('sub', {}, 'f'), t(' of {side}', { side: side.toUpperCase() }));
+  if (!stiffness)
+    return h(
+      'div',
+      {},
+      title,
+      h('p', { class: 'note' }, t('{operator} has none here: {why}.', { operator, why: told(noStiffness) })),
+    );
   const n = corners.length;
   const cell = (i: number, j: number) => {
     const value = stiffness[i * n + j] ?? 0;
@@ -142,7 +152,12 @@ function matrix(side: Side, { corners, stiffness, noStiffness }: FaceReport, ope
     title,
     h(
       'div',
-      { class: 'matrix', tabindex: 0, role: 'group', 'aria-label': `Matrix of the face on ${side.toUpperCase()}` },
+      {
+        class: 'matrix',
+        tabindex: 0,
+        role: 'group',
+        'aria-label': t('Matrix of the face on {side}', { side: side.toUpperCase() }),
+      },
       h(
         'table',
         { class: 'readouts', 'data-matrix': side },
@@ -150,7 +165,13 @@ function matrix(side: Side, { corners, stiffness, noStiffness }: FaceReport, ope
         h('tbody', {}, ...heads('row').map((head, i) => h('tr', {}, head, ...shown.map((_, j) => cell(i, j))))),
       ),
     ),
-    n > mostCorners ? h('p', { class: 'note' }, `The first ${mostCorners} of ${n} corners; all are in the CSV.`) : null,
+    n > mostCorners
+      ? h(
+          'p',
+          { class: 'note' },
+          t('The first {some} of {all} corners; all are in the CSV.', { some: mostCorners, all: n }),
+        )
+      : null,
   );
 }
 

@@ -3,9 +3,15 @@ import { h } from '../dom.js';
 import type { Flow, Side } from '../polylap.js';
 import { verdict } from '../stability.js';
 import { type State, sides } from '../state.js';
+import { t, told, word } from '../words.js';
 import { menu } from './controls.js';
 
 const flows: readonly Flow[] = ['implicit', 'conformalised', 'explicit'];
+const names: Readonly<Record<Flow, string>> = {
+  implicit: word('implicit'),
+  conformalised: word('conformalised'),
+  explicit: word('explicit'),
+};
 
 const i = (text: string) => h('i', {}, text);
 const equations: Readonly<Record<Flow, () => (Node | string)[]>> = {
@@ -14,17 +20,17 @@ const equations: Readonly<Record<Flow, () => (Node | string)[]>> = {
   explicit: () => [i('x'), '′ = ', i('x'), ' − ', i('t M'), h('sup', {}, '−1'), i(' S x')],
 };
 const hints: Readonly<Record<Flow, string>> = {
-  implicit: 'Stable for every t.',
-  conformalised: 'S of the loaded mesh, M of the moved one; scaled to the loaded area. No neck pinches off.',
-  explicit: 'Unstable beyond a limit, which is shown.',
+  implicit: word('Stable for every t.'),
+  conformalised: word('S of the loaded mesh, M of the moved one; scaled to the loaded area. No neck pinches off.'),
+  explicit: word('Unstable beyond a limit, which is shown.'),
 };
 
 /** Which flow each side takes, and what it solves. */
 export function flowTable(app: App): HTMLElement {
   const column = (side: Side) => {
     const choice = menu(
-      `Flow of ${side.toUpperCase()}`,
-      flows.map((flow) => [flow, flow] as const),
+      t('Flow of {side}', { side: side.toUpperCase() }),
+      flows.map((flow) => [flow, t(names[flow])] as const),
       (flow) => app.smoothing.set({ flow: { ...app.state.get().smooth.flow, [side]: flow as Flow } }),
       { 'data-field': `flow-${side}` },
     );
@@ -33,7 +39,7 @@ export function flowTable(app: App): HTMLElement {
       (state) => [state.smooth.flow[side]],
       (flow) => {
         choice.value = flow;
-        choice.title = hints[flow];
+        choice.title = t(hints[flow]);
         equation.replaceChildren(...equations[flow]());
       },
     );
@@ -44,7 +50,7 @@ export function flowTable(app: App): HTMLElement {
   return h(
     'table',
     { class: 'flows' },
-    h('caption', { class: 'unseen' }, 'Flows'),
+    h('caption', { class: 'unseen' }, t('Flows')),
     h('thead', {}, h('tr', {}, head('A'), head('B'))),
     h(
       'tbody',
@@ -76,7 +82,7 @@ export function stabilityNotes(app: App): HTMLElement {
       const { unstable, compared, roughest, effect } = said;
       note.replaceChildren(
         letter,
-        ...(unstable ? [' ', h('strong', {}, 'unstable')] : []),
+        ...(unstable ? [' ', h('strong', {}, t('unstable'))] : []),
         `${unstable ? ': ' : ' '}${compared}. `,
         i('μ'),
         h('sub', {}, 'max'),
@@ -100,14 +106,18 @@ interface Keep {
 const keeps: readonly Keep[] = [
   {
     field: 'keepVolume',
-    text: 'Keep the volume',
+    text: word('Keep the volume'),
     without: ({ mesh, a }) =>
-      mesh && mesh.boundary.length > 0 ? 'the surface is open' : a.shape?.volume === null ? a.shape.noVolume : '',
+      mesh && mesh.boundary.length > 0
+        ? t('the surface is open')
+        : a.shape?.volume === null
+          ? told(a.shape.noVolume)
+          : '',
   },
   {
     field: 'fixBoundary',
-    text: 'Fix the boundary',
-    without: ({ mesh }) => (mesh && mesh.boundary.length === 0 ? 'the surface is closed' : ''),
+    text: word('Fix the boundary'),
+    without: ({ mesh }) => (mesh && mesh.boundary.length === 0 ? t('the surface is closed') : ''),
   },
 ];
 
@@ -129,6 +139,6 @@ export function keepChecks(app: App): HTMLElement[] {
     };
     app.state.watch((state) => [state.smooth[field]], show);
     app.results.watch((results) => [results.mesh, results.a.shape], show);
-    return h('label', { class: 'check' }, box, text, reason);
+    return h('label', { class: 'check' }, box, t(text), reason);
   });
 }

@@ -1,10 +1,11 @@
 import type { App } from '../app.js';
 import { h } from '../dom.js';
-import { count, plural } from '../format.js';
+import { count } from '../format.js';
 import { type Entry, type Facts, groups, stateOf } from '../gallery.js';
 import { publicFile, publicUrl } from '../public-file.js';
 import styles from '../styles/gallery.css?inline';
-import { faceNames } from './card.js';
+import { t, word } from '../words.js';
+import { faceCount } from './card.js';
 import { button, newId } from './controls.js';
 
 /**
@@ -15,7 +16,7 @@ export async function galleryDialog(app: App): Promise<{ element: HTMLDialogElem
   const facts = JSON.parse(await (await publicFile('gallery/facts.json')).text()) as Record<string, Facts>;
   const choose = (entry: Entry) => {
     dialog.close();
-    void app.history.asOne(entry.figure ? 'the figure' : 'the mesh', async () => {
+    void app.history.asOne(entry.figure ? word('the figure') : word('the mesh'), async () => {
       if ((await app.goTo(stateOf(entry, app.state.get()))) && app.state.get().selected === null)
         app.select(app.front());
     });
@@ -29,7 +30,7 @@ export async function galleryDialog(app: App): Promise<{ element: HTMLDialogElem
       loading: 'lazy',
       src: known && publicUrl(known.picture),
     });
-    const place = entry.place ? h('span', { class: 'place' }, entry.place) : null;
+    const place = entry.place ? h('span', { class: 'place' }, t(entry.place)) : null;
     return h(
       'li',
       {},
@@ -37,8 +38,8 @@ export async function galleryDialog(app: App): Promise<{ element: HTMLDialogElem
         'button',
         { type: 'button', class: 'gallery-card', 'data-entry': entry.id, onclick: () => choose(entry) },
         picture,
-        h('span', { class: 'card-name' }, h('b', {}, entry.label), ' ', place),
-        h('span', { class: 'card-look' }, entry.look),
+        h('span', { class: 'card-name' }, h('b', {}, t(entry.label)), ' ', place),
+        h('span', { class: 'card-look' }, t(entry.look)),
         known ? h('span', { class: 'card-facts' }, ...factsOf(known)) : null,
       ),
     );
@@ -49,14 +50,14 @@ export async function galleryDialog(app: App): Promise<{ element: HTMLDialogElem
     h(
       'div',
       { class: 'gallery-head' },
-      h('h2', { id: 'gallery-title' }, 'Gallery'),
-      button('Close', () => dialog.close()),
+      h('h2', { id: 'gallery-title' }, t('Gallery')),
+      button(t('Close'), () => dialog.close()),
     ),
     h(
       'div',
       { class: 'gallery-body' },
       ...groups.map(({ label, entries }) => {
-        const heading = h('h3', { id: newId('gallery') }, label);
+        const heading = h('h3', { id: newId('gallery') }, t(label));
         return h('section', { 'aria-labelledby': heading.id }, heading, h('ul', {}, ...entries.map(card)));
       }),
     ),
@@ -66,8 +67,5 @@ export async function galleryDialog(app: App): Promise<{ element: HTMLDialogElem
 
 function factsOf(facts: Facts): Node[] {
   const [a = '–', b = '–'] = facts.negative.map((negative) => (negative === null ? '–' : count(negative)));
-  return [
-    h('span', {}, plural(facts.faces, ...faceNames(facts))),
-    h('span', {}, 'negative: A ', h('b', {}, a), ', B ', h('b', {}, b)),
-  ];
+  return [h('span', {}, faceCount(facts)), h('span', {}, t('negative: A '), h('b', {}, a), ', B ', h('b', {}, b))];
 }

@@ -3,9 +3,10 @@ import { boundaryLoops, type Loop } from '../boundary-loops.js';
 import { boundaryPins, boundaryPresets, examplePins } from '../boundary-pins.js';
 import { sizeOf } from '../colouring.js';
 import { h, put } from '../dom.js';
-import { cleared, count, exact, plural } from '../format.js';
+import { cleared, count, exact } from '../format.js';
 import type { Harmonic, Mesh } from '../polylap.js';
 import { type Pin, sides } from '../state.js';
+import { t } from '../words.js';
 import { coloursSection } from './colours-section.js';
 import { button, menu, numberField } from './controls.js';
 import { vertexField } from './number-walk.js';
@@ -18,18 +19,21 @@ const listed = 60;
 export function harmonicPanel(app: App): HTMLElement {
   const setValue = (value: number) => app.state.set({ harmonic: { ...app.state.get().harmonic, value } });
   const value = numberField({
-    label: 'Value of the next pin',
+    label: t('Value of the next pin'),
     step: 1,
     onChange: setValue,
     onRefuse: (why) => app.refuse(why),
   });
   value.element.dataset.field = 'value';
   const quick = [0, 1].map((number) =>
-    button(String(number), () => setValue(number), { class: 'key', 'aria-label': `Pin to ${number}` }),
+    button(String(number), () => setValue(number), {
+      class: 'key',
+      'aria-label': t('Pin to {value}', { value: number }),
+    }),
   );
   const preset = menu(
-    'Values of the boundary',
-    [['', ''] as const, ...boundaryPresets.map(({ id, label }) => [id, label] as const)],
+    t('Values of the boundary'),
+    [['', ''] as const, ...boundaryPresets.map(({ id, label }) => [id, t(label)] as const)],
     () => pinLoops(),
   );
   const [unchosen, constant] = preset.options;
@@ -39,11 +43,11 @@ export function harmonicPanel(app: App): HTMLElement {
   let loops: readonly Loop[] = [];
   /** Of which they are. */
   let loopsOf: Mesh | null = null;
-  const loopMenu = menu('Loop of the boundary', [], () => forget());
-  const loopLine = h('div', { class: 'line' }, h('span', { class: 'line-name' }, 'Loop'), loopMenu);
-  const clear = button('Clear', () => clearPins(), { 'data-action': 'clear-pins' });
+  const loopMenu = menu(t('Loop of the boundary'), [], () => forget());
+  const loopLine = h('div', { class: 'line' }, h('span', { class: 'line-name' }, t('Loop')), loopMenu);
+  const clear = button(t('Clear'), () => clearPins(), { 'data-action': 'clear-pins' });
   const example = button(
-    'Two pins, 0 and 1',
+    t('Two pins, 0 and 1'),
     () => {
       const { mesh } = app.results.get();
       if (mesh) app.setPins(examplePins(mesh));
@@ -51,17 +55,17 @@ export function harmonicPanel(app: App): HTMLElement {
     { 'data-action': 'example-pins' },
   );
   const readouts = sideTable(
-    'Values',
+    t('Values'),
     [
-      { id: 'value', name: 'at the vertex' },
-      { id: 'min', name: 'smallest' },
-      { id: 'max', name: 'largest' },
-      { id: 'outside', name: 'out of range' },
+      { id: 'value', name: t('at the vertex') },
+      { id: 'min', name: t('smallest') },
+      { id: 'max', name: t('largest') },
+      { id: 'outside', name: t('out of range') },
     ],
     'figures6',
   );
   const verdict = h('p', { class: 'note', 'data-readout': 'verdict' });
-  const pinSelected = button('Pin', () => togglePin(), { 'data-action': 'pin-vertex' });
+  const pinSelected = button(t('Pin'), () => togglePin(), { 'data-action': 'pin-vertex' });
   const list = h('ol', { class: 'pins' });
   // Takes the focus when the button that had it goes.
   const listTitle = h('h2', { tabindex: -1 });
@@ -71,10 +75,10 @@ export function harmonicPanel(app: App): HTMLElement {
     h(
       'section',
       {},
-      h('h2', {}, 'Pin values'),
-      h('div', { class: 'line' }, h('span', { class: 'line-name' }, 'Click to pin'), value.element, ...quick),
+      h('h2', {}, t('Pin values')),
+      h('div', { class: 'line' }, h('span', { class: 'line-name' }, t('Click to pin')), value.element, ...quick),
       loopLine,
-      h('div', { class: 'line' }, h('span', { class: 'line-name' }, 'Boundary'), preset),
+      h('div', { class: 'line' }, h('span', { class: 'line-name' }, t('Boundary')), preset),
       h('div', { class: 'line' }, example, clear),
     ),
     h('section', {}, h('div', { class: 'line' }, vertexField(app), pinSelected), readouts.element, verdict),
@@ -125,7 +129,7 @@ export function harmonicPanel(app: App): HTMLElement {
     (next) => {
       value.set(next);
       forget();
-      if (constant) constant.textContent = `constant ${exact(next)}`;
+      if (constant) constant.textContent = `${t('constant')} ${exact(next)}`;
     },
   );
   const showLoops = () => {
@@ -136,9 +140,13 @@ export function harmonicPanel(app: App): HTMLElement {
     const several = loops.length > 1;
     loopLine.hidden = !several;
     loopMenu.replaceChildren(
-      h('option', { value: '' }, `all ${count(loops.length)} loops`),
+      h('option', { value: '' }, t('all {n} loops', { n: loops.length })),
       ...(several ? loops.slice(0, listed) : []).map(({ vertices }, k) =>
-        h('option', { value: k }, `loop ${k + 1}, ${plural(vertices.length, 'vertex', 'vertices')}`),
+        h(
+          'option',
+          { value: k },
+          `${t('loop {loop}', { loop: k + 1 })}, ${t('{n} vertex|{n} vertices', { n: vertices.length })}`,
+        ),
       ),
     );
     forget();
@@ -150,14 +158,14 @@ export function harmonicPanel(app: App): HTMLElement {
     (mesh) => {
       const bounded = (mesh?.boundary.length ?? 0) > 0;
       preset.disabled = !bounded;
-      if (unchosen) unchosen.textContent = bounded ? 'choose…' : 'no boundary';
+      if (unchosen) unchosen.textContent = bounded ? t('choose…') : t('no boundary');
     },
   );
   app.state.watch(
     (state) => [state.harmonic.pins, state.selected],
     (pins, selected) => {
       pinSelected.disabled = selected === null;
-      pinSelected.textContent = pins.some((pin) => pin.vertex === selected) ? 'Unpin' : 'Pin';
+      pinSelected.textContent = pins.some((pin) => pin.vertex === selected) ? t('Unpin') : t('Pin');
     },
   );
   app.state.watch(
@@ -165,7 +173,7 @@ export function harmonicPanel(app: App): HTMLElement {
     (pins) => {
       if (pins !== chosen) forget();
       clear.disabled = pins.length === 0;
-      listTitle.textContent = pins.length === 0 ? 'No pins yet' : plural(pins.length, 'pin');
+      listTitle.textContent = pins.length === 0 ? t('No pins yet') : t('{n} pin|{n} pins', { n: pins.length });
       // A row that is being typed into must not be built anew, nor move.
       const rows = new Map(
         Array.from(list.children, (row) => [
@@ -178,7 +186,8 @@ export function harmonicPanel(app: App): HTMLElement {
         row.set(pin.value);
         return row;
       });
-      if (pins.length > listed) wanted.push(h('li', { class: 'note' }, `and ${count(pins.length - listed)} more`));
+      if (pins.length > listed)
+        wanted.push(h('li', { class: 'note' }, t('and {some} more', { some: count(pins.length - listed) })));
       const same = wanted.length === list.children.length && wanted.every((row, k) => row === list.children[k]);
       if (!same) list.replaceChildren(...wanted);
     },
@@ -191,7 +200,7 @@ export function harmonicPanel(app: App): HTMLElement {
       harmonic: { pins },
     } = app.state.get();
     const vertex = results.hovered ?? selected;
-    readouts.rename('value', vertex === null ? 'at the vertex' : `vertex ${vertex}`);
+    readouts.rename('value', vertex === null ? t('at the vertex') : t('vertex {vertex}', { vertex }));
     for (const side of sides) {
       const { harmonic } = results[side];
       const known = harmonic !== null && typeof harmonic !== 'string' ? harmonic : null;
@@ -213,7 +222,7 @@ export function harmonicPanel(app: App): HTMLElement {
           : { text: '–' },
       );
     }
-    const none = pins.length === 0 ? 'Pin a vertex to see the harmonic function of both operators.' : ' ';
+    const none = pins.length === 0 ? t('Pin a vertex to see the harmonic function of both operators.') : ' ';
     put(verdict, verdictOn(results.a.harmonic, results.b.harmonic) || none);
   };
   app.results.watch((results) => [results.a.harmonic, results.b.harmonic, results.hovered], showReadouts);
@@ -224,17 +233,25 @@ export function harmonicPanel(app: App): HTMLElement {
 /** Each side's own: a message where there is one, the number of vertices outside where not. */
 export function verdictOn(a: Harmonic | string | null, b: Harmonic | string | null): string {
   if (a === null || b === null) return '';
-  if (typeof a === 'string' && typeof b === 'string') return a === b ? `A and B: ${a}` : `A: ${a} B: ${b}`;
-  const judged = ({ fixedMin, fixedMax }: Harmonic) =>
-    `outside the pinned range [${exact(fixedMin)}, ${exact(fixedMax)}]; the maximum principle allows none.`;
+  if (typeof a === 'string' && typeof b === 'string')
+    return a === b ? t('A and B: {why}', { why: a }) : `A: ${a} B: ${b}`;
+  const range = ({ fixedMin, fixedMax }: Harmonic) =>
+    t('[{low}, {high}]', { low: exact(fixedMin), high: exact(fixedMax) });
   if (typeof a !== 'string' && typeof b !== 'string')
-    return `${count(a.outside.length)} | ${count(b.outside.length)} vertices ${judged(a)}`;
+    return t('{a} | {b} vertices outside the pinned range {range}; the maximum principle allows none.', {
+      a: count(a.outside.length),
+      b: count(b.outside.length),
+      range: range(a),
+    });
   return [a, b]
     .map((own, k) => {
       const letter = 'AB'[k];
       return typeof own === 'string'
         ? `${letter}: ${own}`
-        : `${letter}: ${plural(own.outside.length, 'vertex', 'vertices')} ${judged(own)}`;
+        : `${letter}: ${t(
+            '{n} vertex outside the pinned range {range}; the maximum principle allows none.|{n} vertices outside the pinned range {range}; the maximum principle allows none.',
+            { n: own.outside.length, range: range(own) },
+          )}`;
     })
     .join(' ');
 }
@@ -245,7 +262,7 @@ function pinRow(
   remove: (vertex: number) => void,
 ): HTMLElement & { set: (value: number) => void } {
   const field = numberField({
-    label: `Value of the pin at vertex ${vertex}`,
+    label: t('Value of the pin at vertex {vertex}', { vertex }),
     step: 1,
     onChange: (value) => app.pin(vertex, value),
     onRefuse: (why) => app.refuse(why),
@@ -253,12 +270,12 @@ function pinRow(
   const row = h(
     'li',
     { 'data-vertex': vertex },
-    button(`vertex ${count(vertex)}`, () => app.select(vertex), { class: 'quiet' }),
+    button(t('vertex {vertex}', { vertex: count(vertex) }), () => app.select(vertex), { class: 'quiet' }),
     field.element,
     button('×', () => remove(vertex), {
       class: 'key',
       'data-action': 'remove-pin',
-      'aria-label': `Remove the pin at vertex ${vertex}`,
+      'aria-label': t('Remove the pin at vertex {vertex}', { vertex }),
     }),
   );
   return Object.assign(row, { set: field.set });

@@ -1,6 +1,7 @@
 import { adopt } from '../adopt.js';
 import type { App } from '../app.js';
 import { explain } from '../messages.js';
+import { t } from '../words.js';
 
 interface Opened {
   element: HTMLDialogElement;
@@ -28,7 +29,7 @@ export function later(app: App, root: HTMLElement, name: string, make: () => Pro
       else element.showModal();
     } catch (reason) {
       made = null;
-      app.results.set({ error: { title: `${name} cannot be shown`, text: explain(reason) } });
+      app.results.set({ error: { title: t('{name} cannot be shown', { name }), text: explain(reason) } });
     }
   };
 }

@@ -3,6 +3,7 @@ import { h } from '../dom.js';
 import { conversions, type MakerInfo, type Side, shapes } from '../polylap.js';
 import type { Message } from '../results.js';
 import { initialParameters, type Made, type Parameters, sides } from '../state.js';
+import { t } from '../words.js';
 import { button, menu, newId } from './controls.js';
 import { parameterRows } from './parameters.js';
 
@@ -14,17 +15,17 @@ function maker(name: string, table: readonly MakerInfo[], refuse: (why: string) 
   const controls = h('div', { class: 'parameters' });
   const choose = menu(
     name,
-    table.map(({ id, label }) => [id, label] as const),
+    table.map(({ id, label }) => [id, t(label)] as const),
     (id) => show(table.find((entry) => entry.id === id) ?? chosen),
   );
   const show = (entry: MakerInfo) => {
     chosen = entry;
     choose.value = entry.id;
-    summary.textContent = entry.summary;
+    summary.textContent = t(entry.summary);
     values = initialParameters(entry);
     const rows = parameterRows(
       entry.parameters,
-      '',
+      (label) => label,
       (id, value) => {
         values = { ...values, [id]: value };
         rows.show(values);
@@ -54,15 +55,15 @@ export function makeDialog(app: App): HTMLDialogElement {
     app.results.set({ error: null });
     refuse(`${wrong.title}. ${wrong.text}`);
   };
-  const shape = maker('Shape', shapes, refuse);
-  const change = maker('Change', conversions, refuse);
+  const shape = maker(t('Shape'), shapes, refuse);
+  const change = maker(t('Change'), conversions, refuse);
   const surface = menu(
-    'Surface to change',
-    sides.map((side) => [side, `surface ${side.toUpperCase()}`] as const),
+    t('Surface to change'),
+    sides.map((side) => [side, t('surface {side}', { side: side.toUpperCase() })] as const),
     () => {},
   );
   const repair = button(
-    'Repair the opened file',
+    t('Repair the opened file'),
     () => {
       const { repair: again } = app.meshes;
       if (again) void attempt(again);
@@ -76,23 +77,23 @@ export function makeDialog(app: App): HTMLDialogElement {
   const dialog = h(
     'dialog',
     { class: 'dialog make-dialog', 'aria-labelledby': 'make-title' },
-    h('h2', { id: 'make-title' }, 'Make a mesh'),
+    h('h2', { id: 'make-title' }, t('Make a mesh')),
     h(
       'div',
       { class: 'makers' },
       section(
-        'A shape',
+        t('A shape'),
         ...shape.elements,
-        button('Make', () => void attempt(() => app.meshes.make(shape.made())), {
+        button(t('Make'), () => void attempt(() => app.meshes.make(shape.made())), {
           class: 'primary',
           'data-action': 'make-shape',
         }),
       ),
       section(
-        'Of the mesh on screen',
+        t('Of the mesh on screen'),
         ...change.elements,
         surface,
-        button('Apply', () => void attempt(() => app.meshes.convert(change.made(), surface.value as Side)), {
+        button(t('Apply'), () => void attempt(() => app.meshes.convert(change.made(), surface.value as Side)), {
           class: 'primary',
           'data-action': 'convert',
         }),
@@ -103,7 +104,7 @@ export function makeDialog(app: App): HTMLDialogElement {
     h(
       'div',
       { class: 'buttons end' },
-      button('Close', () => dialog.close()),
+      button(t('Close'), () => dialog.close()),
     ),
   );
   dialog.addEventListener('close', () => {

@@ -1,5 +1,6 @@
 import type { App } from '../app.js';
 import { h } from '../dom.js';
+import { t } from '../words.js';
 import { button } from './controls.js';
 
 /** More lines are behind a click. */
@@ -23,7 +24,7 @@ export function messageLine(app: App, kind: 'error' | 'report', leave: () => voi
     { class: kind, role: kind === 'error' ? 'alert' : 'status' },
     h('div', { class: 'message-text' }, h('p', {}, title, ' ', text), list),
     offer,
-    button('Dismiss', dismiss, { 'data-action': `dismiss-${kind}` }),
+    button(t('Dismiss'), dismiss, { 'data-action': `dismiss-${kind}` }),
   );
   app.results.watch(
     (results) => [results[kind]],
@@ -37,7 +38,14 @@ export function messageLine(app: App, kind: 'error' | 'report', leave: () => voi
       list.replaceChildren(
         ...(lines.length > 0 ? [h('ul', {}, ...lines.slice(0, listed))] : []),
         ...(lines.length > listed
-          ? [h('details', {}, h('summary', {}, `${lines.length - listed} more`), h('ul', {}, ...lines.slice(listed)))]
+          ? [
+              h(
+                'details',
+                {},
+                h('summary', {}, t('{n} more', { n: lines.length - listed })),
+                h('ul', {}, ...lines.slice(listed)),
+              ),
+            ]
           : []),
       );
     },

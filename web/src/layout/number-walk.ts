@@ -2,10 +2,16 @@ import type { App } from '../app.js';
 import { h } from '../dom.js';
 import type { Mesh } from '../polylap.js';
 import type { State } from '../state.js';
+import { t } from '../words.js';
 import { button, numberField } from './controls.js';
 
 interface Walk {
-  name: 'Vertex' | 'Face';
+  name: string;
+  /** By which tests and styles know the field. */
+  field: 'vertex' | 'face';
+  /** What the buttons do. */
+  before: string;
+  next: string;
   count: (mesh: Mesh) => number;
   selected: (state: State) => number | null;
   select: (number: number | null) => void;
@@ -15,7 +21,10 @@ interface Walk {
 }
 
 /** What is selected: by number, or to the neighbours in number. */
-function numberWalk(app: App, { name, count, selected, select, walk, keys: [back, on] }: Walk): HTMLElement {
+function numberWalk(
+  app: App,
+  { name, field: id, before, next, count, selected, select, walk, keys: [back, on] }: Walk,
+): HTMLElement {
   const field = numberField({
     label: name,
     min: 0,
@@ -33,23 +42,26 @@ function numberWalk(app: App, { name, count, selected, select, walk, keys: [back
     (state) => [selected(state)],
     (number) => field.set(number),
   );
-  field.element.placeholder = 'none';
-  field.element.dataset.field = name.toLowerCase();
+  field.element.placeholder = t('none');
+  field.element.dataset.field = id;
   const key = (sign: string, by: number, label: string) =>
     button(sign, () => walk(by), { 'aria-label': label, title: `${label} (${sign})`, class: 'key' });
   return h(
     'div',
     { class: 'vertex-field' },
-    h('h2', { title: 'Vertices and faces count from 0.' }, name),
+    h('h2', { title: t('Vertices and faces count from 0.') }, name),
     field.element,
-    key(back, -1, `${name} before`),
-    key(on, 1, `Next ${name.toLowerCase()}`),
+    key(back, -1, before),
+    key(on, 1, next),
   );
 }
 
 export const vertexField = (app: App): HTMLElement =>
   numberWalk(app, {
-    name: 'Vertex',
+    name: t('Vertex'),
+    field: 'vertex',
+    before: t('Vertex before'),
+    next: t('Next vertex'),
     count: ({ vertices }) => vertices,
     selected: ({ selected }) => selected,
     select: (vertex) => app.select(vertex),
@@ -59,7 +71,10 @@ export const vertexField = (app: App): HTMLElement =>
 
 export const faceField = (app: App): HTMLElement =>
   numberWalk(app, {
-    name: 'Face',
+    name: t('Face'),
+    field: 'face',
+    before: t('Face before'),
+    next: t('Next face'),
     count: ({ faces }) => faces,
     selected: ({ selectedFace }) => selectedFace,
     select: (face) => app.selectFace(face),

@@ -1,8 +1,9 @@
 import type { App } from '../app.js';
 import { h } from '../dom.js';
-import { words } from '../format.js';
+import { words, written } from '../format.js';
 import type { Parameter, Side } from '../polylap.js';
 import { operatorOf, type Parameters } from '../state.js';
+import { t } from '../words.js';
 import { menu, numberField, slider } from './controls.js';
 
 interface Rows {
@@ -12,18 +13,19 @@ interface Rows {
 
 /**
  * One row for each parameter, as its table describes it.
- * @param whose ends the spoken names, e.g. " of A"
+ * @param nameOf makes a label the spoken name, e.g. "λ of A"
  */
 export function parameterRows(
   parameters: readonly Parameter[],
-  whose: string,
+  nameOf: (label: string) => string,
   set: (id: string, value: number | string) => void,
   refuse: (why: string) => void,
 ): Rows {
   const setters: Record<string, (value: number | string) => void> = {};
   const row = (parameter: Parameter): HTMLElement => {
-    const { id, label, hint } = parameter;
-    const name = `${label}${whose}`;
+    const { id } = parameter;
+    const [label, hint] = [t(parameter.label), parameter.hint && t(parameter.hint)];
+    const name = nameOf(label);
     const take = (value: number | string) => set(id, value);
     const hintElement = hint ? h('span', { class: 'hint', title: hint }, hint) : null;
     const rowOf = (...controls: HTMLElement[]) =>
@@ -37,7 +39,7 @@ export function parameterRows(
     if (parameter.kind === 'choice') {
       const choice = menu(
         name,
-        parameter.choices.map((value) => [value, words(value)] as const),
+        parameter.choices.map((value) => [value, t(words(value))] as const),
         take,
       );
       setters[id] = (value) => {
@@ -48,7 +50,8 @@ export function parameterRows(
     const { min, max, sliderMax, step } = parameter;
     const track = slider({ label: name, min, max: sliderMax, step, onInput: take });
     const field = numberField({
-      label: `${name}, value`,
+      label: name,
+      besideSlider: true,
       min,
       max,
       step,
@@ -57,7 +60,7 @@ export function parameterRows(
       onRefuse: refuse,
     });
     setters[id] = (value) => {
-      track.set(Number(value), String(value));
+      track.set(Number(value), written(String(value)));
       field.set(Number(value));
     };
     return rowOf(track.element, field.element);
@@ -81,7 +84,7 @@ export function parameterControls(app: App, side: Side): HTMLElement {
       const { parameters } = operatorOf(app.state.get().sides[side]);
       rows = parameterRows(
         parameters,
-        ` of ${side.toUpperCase()}`,
+        (name) => t('{name} of {side}', { name, side: side.toUpperCase() }),
         (id, value) => app.setParameter(side, id, value),
         (why) => app.refuse(why),
       );

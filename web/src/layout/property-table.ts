@@ -4,15 +4,16 @@ import { minus, real } from '../format.js';
 import { type Measurement, properties } from '../polylap.js';
 import { known, type SideResults } from '../results.js';
 import { operatorOf, sides, studied } from '../state.js';
+import { t, told, word } from '../words.js';
 import { button, newId } from './controls.js';
 
 type Verdict = Measurement['verdict'];
 type Finding = Pick<Measurement, 'verdict' | 'text' | 'vertices'>;
 
 const signs: Record<Verdict, readonly [sign: string, word: string]> = {
-  holds: ['✓', 'holds'],
-  fails: ['✗', 'fails'],
-  'not-measured': ['–', 'not measured'],
+  holds: ['✓', word('holds')],
+  fails: ['✗', word('fails')],
+  'not-measured': ['–', word('not measured')],
 };
 
 /** Each property of the table: claimed by the operator and measured on the surface; the reasons in a row that opens. */
@@ -27,9 +28,9 @@ export function propertyTable(app: App): HTMLElement {
     const reasons = h(
       'tr',
       { class: 'reasons', id: newId('reasons'), hidden: true },
-      h('td', { colspan: 5 }, h('p', {}, property.meaning), details.a, details.b),
+      h('td', { colspan: 5 }, h('p', {}, t(property.meaning)), details.a, details.b),
     );
-    const opener = button(property.label, () => open(reasons.hidden === true), {
+    const opener = button(t(property.label), () => open(reasons.hidden === true), {
       class: 'opener',
       'aria-expanded': 'false',
       'aria-controls': reasons.id,
@@ -50,7 +51,7 @@ export function propertyTable(app: App): HTMLElement {
     return { property, claims, cells, details, row, reasons, open };
   });
   const all = button(
-    'All reasons',
+    t('All reasons'),
     () => {
       const open = rows.some(({ reasons }) => reasons.hidden === true);
       for (const row of rows) row.open(open);
@@ -61,11 +62,11 @@ export function propertyTable(app: App): HTMLElement {
   const element = h(
     'section',
     {},
-    h('div', { class: 'section-head' }, h('h2', {}, 'Claimed and measured'), all),
+    h('div', { class: 'section-head' }, h('h2', {}, t('Claimed and measured')), all),
     h(
       'table',
       { class: 'readouts properties' },
-      h('caption', { class: 'unseen' }, 'Properties, claimed and measured'),
+      h('caption', { class: 'unseen' }, t('Properties, claimed and measured')),
       h('colgroup', {}, h('col'), ...sides.flatMap(() => [h('col'), h('col', { class: 'found' })])),
       h(
         'thead',
@@ -75,7 +76,7 @@ export function propertyTable(app: App): HTMLElement {
           'tr',
           {},
           h('td', {}),
-          ...sides.flatMap(() => ['claim', 'here'].map((what) => h('th', { scope: 'col' }, what))),
+          ...sides.flatMap(() => [t('claim'), t('here')].map((what) => h('th', { scope: 'col' }, what))),
         ),
       ),
       h('tbody', {}, ...rows.flatMap(({ row, reasons }) => [row, reasons])),
@@ -83,7 +84,9 @@ export function propertyTable(app: App): HTMLElement {
     h(
       'p',
       { class: 'note' },
-      'Claim: yes, planar (where faces are planar), triangles (on triangle meshes), some (with the initial parameters, not with all) or no. Here, as measured: ✓ holds, ✗ fails, – not measured.',
+      t(
+        'Claim: yes, planar (where faces are planar), triangles (on triangle meshes), some (with the initial parameters, not with all) or no. Here, as measured: ✓ holds, ✗ fails, – not measured.',
+      ),
     ),
   );
   for (const side of sides) {
@@ -93,34 +96,41 @@ export function propertyTable(app: App): HTMLElement {
       for (const { property, claims, cells, details } of rows) {
         const { where, why } = operator.claims[property.id];
         const finding = findingOf(results, property.id);
-        const [sign, word] = signs[finding.verdict];
+        const [sign, english] = signs[finding.verdict];
+        const said = t(english);
+        const place = placeName(finding.vertices);
         const broken = where === 'yes' && finding.verdict === 'fails';
-        claims[side].textContent = where;
+        claims[side].textContent = t(where);
         cells[side].replaceChildren(
           finding.vertices.length > 0
             ? button(sign, () => app.show({ side, vertices: finding.vertices }), {
                 class: `verdict ${finding.verdict}`,
                 'data-verdict': finding.verdict,
-                'aria-label': `${property.label} ${word} on ${side.toUpperCase()}: show ${placeName(finding.vertices)}`,
-                title: `Show ${placeName(finding.vertices)}`,
+                'aria-label': t('{property} {verdict} on {side}: show {place}', {
+                  property: t(property.label),
+                  verdict: said,
+                  side: side.toUpperCase(),
+                  place,
+                }),
+                title: t('Show {place}', { place }),
               })
             : h(
                 'span',
                 { class: `verdict ${finding.verdict}`, 'data-verdict': finding.verdict },
                 h('span', { 'aria-hidden': 'true' }, sign),
-                h('span', { class: 'unseen' }, word),
+                h('span', { class: 'unseen' }, said),
               ),
         );
         details[side].replaceChildren(
-          h('p', {}, h('b', {}, side.toUpperCase()), ` claims ${where}: ${why}.`),
+          h('p', {}, h('b', {}, side.toUpperCase()), t(' claims {where}: {why}.', { where: t(where), why: t(why) })),
           h(
             'p',
             { class: broken ? 'negative' : '' },
-            `${word.charAt(0).toUpperCase()}${word.slice(1)}${broken ? ', against the claim' : ''}${finding.text ? `: ${finding.text}` : ''}. `,
+            `${said.charAt(0).toUpperCase()}${said.slice(1)}${broken ? t(', against the claim') : ''}${finding.text ? `: ${finding.text}` : ''}. `,
             finding.vertices.length > 0
-              ? button('Show', () => app.show({ side, vertices: finding.vertices }), {
+              ? button(t('Show'), () => app.show({ side, vertices: finding.vertices }), {
                   class: 'place',
-                  'aria-label': `Show ${placeName(finding.vertices)} on ${side.toUpperCase()}`,
+                  'aria-label': t('Show {place} on {side}', { place, side: side.toUpperCase() }),
                 })
               : null,
           ),
@@ -138,15 +148,20 @@ const unknown: Finding = { verdict: 'not-measured', text: '', vertices: [] };
 /** What was measured of a property; of convergence, what the study found. */
 function findingOf({ check, study }: SideResults, property: string): Finding {
   const measured = known(check)?.measurements.find((measurement) => measurement.property === property);
-  if (property !== studied) return measured ? { ...measured, text: minus(measured.text) } : unknown;
+  if (property !== studied) return measured ? { ...measured, text: minus(told(measured.text)) } : unknown;
   const studies = known(study);
-  if (!studies) return { ...unknown, text: 'see the study below' };
-  const text = studies.map(({ family, order }) => `order ${real(order, 2)} on ${family}`).join('; ');
+  if (!studies) return { ...unknown, text: t('see the study below') };
+  const text = studies
+    .map(({ family, order }) => t('order {order} on {family}', { order: real(order, 2), family: t(family) }))
+    .join('; ');
   return { verdict: studies.every(({ converges }) => converges) ? 'holds' : 'fails', text, vertices: [] };
 }
 
 function placeName(vertices: readonly number[]): string {
   const [first, second] = vertices;
-  if (second === undefined) return `vertex ${first}`;
-  return vertices.length === 2 ? `vertices ${first} and ${second}` : `vertices ${first}, ${second} …`;
+  if (second === undefined) return t('vertex {vertex}', { vertex: first ?? '' });
+  return t(vertices.length === 2 ? word('vertices {first} and {second}') : word('vertices {first}, {second} …'), {
+    first: first ?? '',
+    second,
+  });
 }

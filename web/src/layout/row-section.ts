@@ -4,6 +4,7 @@ import { count, weight } from '../format.js';
 import type { Mesh, Side } from '../polylap.js';
 import { drawnWeights, type Entries, largestWeight, rowSum, rowsOf } from '../rows.js';
 import { sides } from '../state.js';
+import { t } from '../words.js';
 import { stencil } from './stencil.js';
 
 const rowsShown = 24;
@@ -20,7 +21,7 @@ export function rowSection(app: App): HTMLElement {
     const why = [a.row, b.row].flatMap((own, k) => (typeof own === 'string' ? [`${'AB'[k]}: ${own}`] : []));
     // What is there stays until there is something newer to see, and says by its looks that it is going.
     element.classList.toggle('awaited', selected !== null && !rows && why.length === 0);
-    if (selected === null) note('Click a vertex, or walk with [ and ], to read its row of weights.');
+    if (selected === null) note(t('Click a vertex, or walk with [ and ], to read its row of weights.'));
     else if (mesh && rows) element.replaceChildren(stencils(app, mesh, selected, rows), rowTable(selected, rows));
     else if (why.length > 0) note(why.join(' '));
   };
@@ -57,7 +58,7 @@ function rowTable(vertex: number, rows: Record<Side, Entries>): HTMLElement {
   return h(
     'table',
     { class: 'readouts', 'data-row': vertex },
-    h('caption', { class: 'unseen' }, `Weights of vertex ${vertex}`),
+    h('caption', { class: 'unseen' }, t('Weights of vertex {vertex}', { vertex })),
     h(
       'thead',
       {},
@@ -73,7 +74,7 @@ function rowTable(vertex: number, rows: Record<Side, Entries>): HTMLElement {
       {},
       // w_ij = −S_ij; +0 so that a zero has no sign.
       ...neighbours.slice(0, rowsShown).map((j) => line(String(j), (side) => 0 - (rows[side].get(j) ?? 0))),
-      hiddenRows > 0 ? h('tr', {}, h('td', { colspan: 3 }, `and ${count(hiddenRows)} more`)) : null,
+      hiddenRows > 0 ? h('tr', {}, h('td', { colspan: 3 }, t('and {some} more', { some: count(hiddenRows) }))) : null,
     ),
     h(
       'tfoot',

@@ -4,6 +4,7 @@ import { count } from '../format.js';
 import { ownAddress } from '../place.js';
 import { linkOf } from '../share.js';
 import { nameOf } from '../state.js';
+import { t, word } from '../words.js';
 import { button } from './controls.js';
 
 /** The link to what is on screen. */
@@ -12,14 +13,14 @@ export function shareDialog(app: App): { element: HTMLDialogElement; open: () =>
   const note = h('p', { class: 'note', 'data-value': 'share-note' });
   const copied = h('p', { class: 'note', role: 'status' });
   const copy = button(
-    'Copy',
+    t('Copy'),
     async () => {
       link.select();
       try {
         await navigator.clipboard.writeText(link.value);
-        copied.textContent = 'Copied.';
+        copied.textContent = t('Copied.');
       } catch {
-        copied.textContent = 'The browser does not let the page copy: the link is selected, copy it by hand.';
+        copied.textContent = t('The browser does not let the page copy: the link is selected, copy it by hand.');
       }
     },
     { class: 'primary', 'data-action': 'copy-link' },
@@ -27,15 +28,19 @@ export function shareDialog(app: App): { element: HTMLDialogElement; open: () =>
   const element = h(
     'dialog',
     { class: 'dialog', 'aria-labelledby': 'share-title' },
-    h('h2', { id: 'share-title' }, 'Share what is on screen'),
-    h('label', { for: 'share-link' }, 'This link opens the page as it is now: mesh, operators, steps, pins and view.'),
+    h('h2', { id: 'share-title' }, t('Share what is on screen')),
+    h(
+      'label',
+      { for: 'share-link' },
+      t('This link opens the page as it is now: mesh, operators, steps, pins and view.'),
+    ),
     link,
     note,
     copied,
     h(
       'div',
       { class: 'buttons end' },
-      button('Close', () => element.close()),
+      button(t('Close'), () => element.close()),
       copy,
     ),
   );
@@ -46,11 +51,18 @@ export function shareDialog(app: App): { element: HTMLDialogElement; open: () =>
     const address = ownAddress();
     link.value = (address ?? '') + hash;
     const what = withoutFile
-      ? `${nameOf({ ...source, changes: [] })} is too large for a link: whoever opens the link is asked for the file. Nothing is uploaded.`
-      : `${count(link.value.length)} characters${file ? ', with the mesh in them' : ''}. Nothing is uploaded.`;
+      ? t('{name} is too large for a link: whoever opens the link is asked for the file. Nothing is uploaded.', {
+          name: nameOf({ ...source, changes: [] }),
+        })
+      : t(
+          file
+            ? word('{size} characters, with the mesh in them. Nothing is uploaded.')
+            : word('{size} characters. Nothing is uploaded.'),
+          { size: count(link.value.length) },
+        );
     note.textContent =
       address === null
-        ? `${what} The page has no address of its own here. Put it behind the address of any polylap page.`
+        ? `${what} ${t('The page has no address of its own here. Put it behind the address of any polylap page.')}`
         : what;
     copied.textContent = '';
     element.showModal();

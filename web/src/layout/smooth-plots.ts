@@ -5,6 +5,7 @@ import { lines } from '../plots/draw.js';
 import { figure } from '../plots/figure.js';
 import type { Shape, Side } from '../polylap.js';
 import { sides } from '../state.js';
+import { t, word } from '../words.js';
 
 const ofShape = (pick: (shape: Shape) => number | null) => (app: App, step: number, side: Side) => {
   const marks = app.smoothing.marks(step);
@@ -17,24 +18,24 @@ const measures: readonly {
   title: string;
   of: (app: App, step: number, side: Side) => number | null;
 }[] = [
-  { name: 'non-planarity', title: 'Mean non-planarity', of: ofShape(({ meanNonPlanarity }) => meanNonPlanarity) },
-  { name: 'area', title: 'Area', of: ofShape(({ area }) => area) },
-  { name: 'volume', title: 'Volume', of: ofShape(({ volume }) => volume) },
+  { name: 'non-planarity', title: word('Mean non-planarity'), of: ofShape(({ meanNonPlanarity }) => meanNonPlanarity) },
+  { name: 'area', title: word('Area'), of: ofShape(({ area }) => area) },
+  { name: 'volume', title: word('Volume'), of: ofShape(({ volume }) => volume) },
   {
     name: 'energy',
-    title: 'Dirichlet energy of the surface',
+    title: word('Dirichlet energy of the surface'),
     of: (app, step, side) => app.smoothing.trail.energy(step, side),
   },
 ];
 
 /** How the surfaces change over the steps: A solid, B dashed. */
 export function smoothPlots(app: App): HTMLElement {
-  const plots = measures.map(({ title, name }) => figure(title, name));
+  const plots = measures.map(({ title, name }) => figure(t(title), name));
   const element = h(
     'section',
     { class: 'plots', hidden: true },
-    h('h2', {}, 'Over the steps'),
-    h('p', { class: 'note' }, 'A solid, B dashed.'),
+    h('h2', {}, t('Over the steps')),
+    h('p', { class: 'note' }, t('A solid, B dashed.')),
     ...plots.map((plot) => plot.element),
   );
   const show = () => {
@@ -59,8 +60,8 @@ export function smoothPlots(app: App): HTMLElement {
       const some = series.some(({ points }) => points.length > 0);
       plots[m]?.show(
         some ? lines(series, step) : null,
-        `${title} of A and B over ${steps} steps`,
-        ['step', 'A', 'B'],
+        t('{measure} of A and B over {steps} steps', { measure: t(title), steps }),
+        [word('step'), 'A', 'B'],
         rows,
       );
     });

@@ -4,11 +4,12 @@ import { dots } from '../plots/draw.js';
 import { figure } from '../plots/figure.js';
 import { known } from '../results.js';
 import { sides } from '../state.js';
+import { t, word } from '../words.js';
 import { askedSection } from './asked-section.js';
 
 /** The lowest eigenvalues of both operators on the mesh. */
 export function spectrumSection(app: App): HTMLElement {
-  const plot = figure('Lowest eigenvalues μ over their number, A full, B hollow', 'spectrum');
+  const plot = figure(t('Lowest eigenvalues μ over their number, A full, B hollow'), 'spectrum');
   const show = () => {
     const results = app.results.get();
     const spectra = sides.map((side) => known(results[side].spectrum));
@@ -21,15 +22,15 @@ export function spectrumSection(app: App): HTMLElement {
     }));
     plot.show(
       longest > 0 ? dots(series) : null,
-      `The ${longest} lowest eigenvalues of S x = μ M x, of A and B`,
-      ['mode', 'A', 'B'],
+      t('The {count} lowest eigenvalues of S x = μ M x, of A and B', { count: longest }),
+      [word('mode'), 'A', 'B'],
       rows,
     );
   };
   return askedSection(app, {
-    title: 'Spectrum',
-    note: ['The lowest eigenvalues of ', h('i', {}, 'S x = μ M x'), ', in 1 / length².'],
-    label: 'Find eigenvalues',
+    title: t('Spectrum'),
+    note: [t('The lowest eigenvalues of '), h('i', {}, 'S x = μ M x'), t(', in 1 / length².')],
+    label: t('Find eigenvalues'),
     action: 'spectrum',
     ask: () => app.answers.spectra(),
     found: ({ spectrum }) => spectrum,

@@ -5,15 +5,16 @@ import { cleared, count, exact } from '../format.js';
 import type { Side } from '../polylap.js';
 import { known } from '../results.js';
 import { sides } from '../state.js';
+import { t } from '../words.js';
 import { button } from './controls.js';
 import { ramp } from './ramp.js';
 
 /** The line at the bottom: what happened, what is under way, and the legend that both sides share. */
 export function statusLine(app: App): HTMLElement {
   const notice = h('p', { class: 'notice', role: 'status', 'aria-live': 'polite' });
-  const bar = h('progress', { max: 1, 'aria-label': 'Progress' });
+  const bar = h('progress', { max: 1, 'aria-label': t('Progress') });
   const label = h('span', { class: 'job' });
-  const cancel = button('Cancel', () => app.cancel(), { 'data-action': 'cancel' });
+  const cancel = button(t('Cancel'), () => app.cancel(), { 'data-action': 'cancel' });
   const busy = h('div', { class: 'busy', hidden: true }, label, bar, cancel);
   app.results.watch(
     (results) => [results.notice],
@@ -36,13 +37,16 @@ export function statusLine(app: App): HTMLElement {
 /** That the surfaces are smoothed ones, in the tasks that do not say so themselves, and the way back. */
 function progressed(app: App): HTMLElement {
   const steps = h('span', { 'data-readout': 'steps' });
-  const reset = button('Reset', () => void app.smoothing.reset(), { class: 'quiet', 'data-action': 'reset-quietly' });
+  const reset = button(t('Reset'), () => void app.smoothing.reset(), {
+    class: 'quiet',
+    'data-action': 'reset-quietly',
+  });
   const element = h('div', { class: 'progressed' }, steps, ' · ', reset);
   const show = () => {
     const { a, b } = app.results.get();
     const step = Math.max(a.step, b.step);
     element.hidden = step === 0 || app.state.get().task === 'smooth';
-    put(steps, `step ${count(step)}`, step);
+    put(steps, t('step {step}', { step: count(step) }), step);
   };
   app.results.watch((results) => [results.a.step, results.b.step], show);
   app.state.watch((state) => [state.task], show);
@@ -71,18 +75,18 @@ function legend(app: App): HTMLElement {
   const hatch = (side: string, text: string) =>
     h('span', {}, h('span', { class: `hatch ${side}`, 'aria-hidden': 'true' }), text);
   const hatches = {
-    [Outside.below]: hatch('below', 'below the pins'),
-    [Outside.above]: hatch('above', 'above the pins'),
+    [Outside.below]: hatch('below', t('below the pins')),
+    [Outside.above]: hatch('above', t('above the pins')),
   };
   const outside = h(
     'span',
-    { class: 'legend-outside', title: 'Where values leave the range of the pins' },
+    { class: 'legend-outside', title: t('Where values leave the range of the pins') },
     hatches[Outside.below],
     hatches[Outside.above],
   );
   const values = h(
     'span',
-    { class: 'legend-values', role: 'group', 'aria-label': 'Colours of A and B' },
+    { class: 'legend-values', role: 'group', 'aria-label': t('Colours of A and B') },
     low,
     strip.element,
     high,
@@ -90,9 +94,9 @@ function legend(app: App): HTMLElement {
   );
   const element = h(
     'div',
-    { class: 'legend', 'aria-label': 'Legend', role: 'group' },
+    { class: 'legend', 'aria-label': t('Legend'), role: 'group' },
     values,
-    h('label', { class: 'legend-negative' }, negative, dashes, 'negative weight'),
+    h('label', { class: 'legend-negative' }, negative, dashes, t('negative weight')),
   );
   const outsideAt = (side: Side) => {
     const own = known(app.results.get()[side].harmonic);
@@ -114,7 +118,7 @@ function legend(app: App): HTMLElement {
       hatches[where].hidden = !beyond.some(([, there]) => there === where);
     outside.hidden = beyond.length === 0;
     if (range.single !== null) {
-      put(low, `${exact(range.single)} everywhere`, range.single);
+      put(low, t('{value} everywhere', { value: exact(range.single) }), range.single);
       return;
     }
     put(low, exact(cleared(range.min, size)), range.min);

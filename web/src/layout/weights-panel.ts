@@ -4,6 +4,7 @@ import { count, weight } from '../format.js';
 import type { Weights } from '../polylap.js';
 import { wideLimit } from '../scene/lines.js';
 import { sides } from '../state.js';
+import { t, word } from '../words.js';
 import { faceSection } from './face-section.js';
 import { vertexField } from './number-walk.js';
 import { rowSection } from './row-section.js';
@@ -13,15 +14,15 @@ import { weightsPlots } from './weights-plots.js';
 
 /** What the weights are: extremes, the row of the selected vertex, and weights of vertices where an operator takes them. */
 export function weightsPanel(app: App): HTMLElement {
-  const extremes = sideTable('Weights', [
-    { id: 'smallest', name: 'smallest' },
-    { id: 'largest', name: 'largest' },
+  const extremes = sideTable(t('Weights'), [
+    { id: 'smallest', name: t('smallest') },
+    { id: 'largest', name: t('largest') },
   ]);
   const lines = h('p', { class: 'note' });
   const element = h(
     'div',
     { class: 'panel-body' },
-    h('section', {}, h('h2', {}, 'Weights ', h('i', {}, 'w'), h('sub', {}, 'ij')), extremes.element, lines),
+    h('section', {}, h('h2', {}, `${t('Weights')} `, h('i', {}, 'w'), h('sub', {}, 'ij')), extremes.element, lines),
     h('section', {}, vertexField(app), vertexWeights(app), rowSection(app)),
     faceSection(app),
     weightsPlots(app),
@@ -50,12 +51,17 @@ export function weightsPanel(app: App): HTMLElement {
     (...both) => {
       const known = both.filter((weights) => weights !== null && typeof weights !== 'string');
       if (known.every((weights) => weights.negativeOrdered === 0)) {
-        lines.textContent = known.length > 0 ? 'No weight is negative.' : '';
+        lines.textContent = known.length > 0 ? t('No weight is negative.') : '';
         return;
       }
       const pairs = known.map((weights) => drawnPairs(weights)).join(' | ');
       const hairlines = known.some((weights) => weights.segmentStarts.length > wideLimit);
-      lines.textContent = `Dashed on the mesh${hairlines ? ' as hairlines' : ''}, drawn: ${pairs} pairs, each counted both ways.`;
+      lines.textContent = t(
+        hairlines
+          ? word('Dashed on the mesh as hairlines, drawn: {pairs} pairs, each counted both ways.')
+          : word('Dashed on the mesh, drawn: {pairs} pairs, each counted both ways.'),
+        { pairs },
+      );
     },
   );
 
@@ -66,5 +72,5 @@ export function weightsPanel(app: App): HTMLElement {
 export function drawnPairs({ pairs, segmentPairs }: Pick<Weights, 'pairs' | 'segmentPairs'>): string {
   const all = pairs.length / 2;
   const drawn = new Set(segmentPairs).size;
-  return drawn < all ? `${count(drawn)} of ${count(all)}` : count(all);
+  return drawn < all ? t('{some} of {all}', { some: count(drawn), all: count(all) }) : count(all);
 }

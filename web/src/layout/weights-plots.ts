@@ -6,16 +6,17 @@ import { bars, spy } from '../plots/draw.js';
 import { figure } from '../plots/figure.js';
 import { known } from '../results.js';
 import { sides } from '../state.js';
+import { t, word } from '../words.js';
 
 /** All weights at a glance: their signs and sizes, where the matrices have them, and of which faces they come. */
 export function weightsPlots(app: App): HTMLElement {
-  const weights = sides.map((side) => figure(`Weights of ${side.toUpperCase()}`, `weights-${side}`));
-  const patterns = sides.map((side) => figure(`S of ${side.toUpperCase()}`, `spy-${side}`));
-  const sizes = figure('Corners of the faces', 'face-sizes');
+  const weights = sides.map((side) => figure(t('Weights of {side}', { side: side.toUpperCase() }), `weights-${side}`));
+  const patterns = sides.map((side) => figure(t('S of {side}', { side: side.toUpperCase() }), `spy-${side}`));
+  const sizes = figure(t('Corners of the faces'), 'face-sizes');
   const element = h(
     'section',
     { class: 'plots' },
-    h('h2', {}, 'Plots'),
+    h('h2', {}, t('Plots')),
     ...weights.map((plot) => plot.element),
     h('div', { class: 'plot-pair' }, ...patterns.map((plot) => plot.element)),
     sizes.element,
@@ -33,8 +34,12 @@ export function weightsPlots(app: App): HTMLElement {
         const negative = all.filter((weight) => weight < 0).length;
         weights[k]?.show(
           matrix ? bars(own) : null,
-          `Histogram of ${count(all.length)} weights of ${side.toUpperCase()}, ${count(negative)} of them negative`,
-          ['from', 'to', 'weights'],
+          t('Histogram of {all} weights of {side}, {negative} of them negative', {
+            all: count(all.length),
+            side: side.toUpperCase(),
+            negative: count(negative),
+          }),
+          [word('from'), word('to'), word('weights')],
           own.map(({ from, to, count: number }) => [from, to, number]),
         );
         if (!matrix) {
@@ -45,8 +50,12 @@ export function weightsPlots(app: App): HTMLElement {
         const rows = [...blocks].map(([key, minus]) => [Math.floor(key / across), key % across, minus ? 1 : 0]);
         patterns[k]?.show(
           spy(blocks, across),
-          `Entries of S of ${side.toUpperCase()} in ${across} × ${across} blocks: ${count(blocks.size)} have some`,
-          ['block row', 'block column', 'negative weight'],
+          t('Entries of S of {side} in {across} × {across} blocks: {some} have some', {
+            side: side.toUpperCase(),
+            across,
+            some: count(blocks.size),
+          }),
+          [word('block row'), word('block column'), word('negative weight')],
           rows.sort(([p = 0, r = 0], [q = 0, s = 0]) => p - q || r - s),
         );
       });
@@ -61,8 +70,8 @@ export function weightsPlots(app: App): HTMLElement {
       // All faces alike need no plot.
       sizes.show(
         found.length > 1 ? bars(bins) : null,
-        `Faces by corners: from ${exact(first)} to ${exact(last)}`,
-        ['corners', 'faces'],
+        t('Faces by corners: from {first} to {last}', { first: exact(first), last: exact(last) }),
+        [word('corners'), word('faces')],
         found,
       );
     },

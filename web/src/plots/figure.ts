@@ -1,6 +1,8 @@
 import { h } from '../dom.js';
+import { written } from '../format.js';
 import { csv } from '../numbers-text.js';
 import { save, standalone } from '../saving.js';
+import { t } from '../words.js';
 
 type Cell = string | number | null;
 
@@ -25,18 +27,18 @@ export function figure(title: string, name: string) {
     const svg = drawing.querySelector('svg');
     return svg ? standalone(svg) : '';
   });
-  const details = h('details', {}, h('summary', {}, 'Numbers'), table, writeNumbers, writePicture);
+  const details = h('details', {}, h('summary', {}, t('Numbers')), table, writeNumbers, writePicture);
   // Long tables are built only for those who look at them.
   details.addEventListener('toggle', () => fill());
   const fill = () => {
     if (!details.open) return;
     const shown = numbers.rows.slice(0, mostRows);
     table.replaceChildren(
-      h('thead', {}, h('tr', {}, ...numbers.head.map((cell) => h('th', { scope: 'col' }, cell)))),
+      h('thead', {}, h('tr', {}, ...numbers.head.map((cell) => h('th', { scope: 'col' }, t(cell))))),
       h('tbody', {}, ...shown.map((row) => h('tr', {}, ...row.map((cell) => h('td', {}, text(cell)))))),
     );
     if (numbers.rows.length > mostRows)
-      table.append(h('caption', {}, `The first ${mostRows} of ${numbers.rows.length}`));
+      table.append(h('caption', {}, t('The first {some} of {all}', { some: mostRows, all: numbers.rows.length })));
   };
   const element = h('figure', { class: 'plot', 'data-plot': name }, h('figcaption', {}, title), drawing, details);
   return {
@@ -56,4 +58,4 @@ export function figure(title: string, name: string) {
 
 const mostRows = 100;
 
-const text = (cell: Cell) => (typeof cell === 'number' ? String(Number(cell.toPrecision(6))) : (cell ?? ''));
+const text = (cell: Cell) => (typeof cell === 'number' ? written(String(Number(cell.toPrecision(6)))) : (cell ?? ''));

@@ -1,4 +1,5 @@
 import { h } from '../dom.js';
+import { t } from '../words.js';
 
 /** What the wheel, or one finger up and down, does on a view. `auto`: `scroll` inside another page, and the wheel also on one that scrolls. */
 export type Gesture = 'auto' | 'mesh' | 'scroll';
@@ -59,7 +60,7 @@ export function wheelHint(say: (text: string) => void): (view: HTMLElement) => v
   return (view) => {
     if (said) return;
     said = true;
-    const text = `${key} + wheel zooms.`;
+    const text = t('{key} + wheel zooms.', { key });
     const note = h('p', { class: 'view-hint', 'aria-hidden': 'true' }, text);
     view.append(note);
     say(text);

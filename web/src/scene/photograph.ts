@@ -1,4 +1,5 @@
 import type { WebGLRenderer } from 'three';
+import { t } from '../words.js';
 
 /** What a renderer draws within an element, twice as fine as on screen, over a colour or nothing. */
 export async function photograph(
@@ -9,7 +10,7 @@ export async function photograph(
 ): Promise<Blob> {
   const stage = renderer.domElement.getBoundingClientRect();
   const box = place.getBoundingClientRect();
-  if (box.width === 0) throw new Error('That view is not on screen.');
+  if (box.width === 0) throw new Error(t('That view is not on screen.'));
   const usual = renderer.getPixelRatio();
   const ratio = 2 * usual;
   const picture = document.createElement('canvas');
@@ -27,6 +28,6 @@ export async function photograph(
   renderer.setPixelRatio(usual);
   draw();
   return new Promise((resolve, reject) => {
-    picture.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('The picture is too large to be saved.'))));
+    picture.toBlob((blob) => (blob ? resolve(blob) : reject(new Error(t('The picture is too large to be saved.')))));
   });
 }
