@@ -56,6 +56,12 @@ export interface Mounted {
   dispose(): void;
 }
 
+/** A page has one title, one banner and one main part: not those of what is part of it. */
+function withoutLandmarks(body: HTMLElement): void {
+  for (const each of body.querySelectorAll('header, footer, h1')) each.setAttribute('role', 'none');
+  for (const each of body.querySelectorAll('section[aria-label]')) each.setAttribute('role', 'group');
+}
+
 const noWebGl = 'This browser shows no WebGL';
 
 /**
@@ -85,6 +91,7 @@ export function mount(root: ShadowRoot | HTMLElement, options: MountOptions): Mo
     return viewer.photograph(view, transparent);
   });
   bindKeys(app, scope, help);
+  if (!whole) withoutLandmarks(body);
 
   const overlays = allViews.map((side) => {
     const message = h('p', { class: 'view-message', hidden: true });
@@ -152,6 +159,8 @@ export function mount(root: ShadowRoot | HTMLElement, options: MountOptions): Mo
     scope.keys = settings.keys;
     element.dataset.controls = settings.controls;
     element.dataset.views = settings.views;
+    const named = settings.controls === 'none';
+    for (const name of element.querySelectorAll<HTMLElement>('.operator-name')) name.hidden = !named;
     viewer.camera.settleGestures();
     showOnly();
   };

@@ -19,6 +19,8 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
     (id) => app.setChoice(side, initialChoice(id)),
     { class: 'operator' },
   );
+  // Where there are no controls.
+  const operatorName = h('b', { class: 'operator-name', hidden: true });
   const formula = h('div', { class: 'formula' });
   const loud = h(
     'output',
@@ -42,7 +44,14 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
   const element = h(
     'section',
     { class: 'card', 'data-side': side, 'aria-label': t('Side {side}', { side: letter }) },
-    h('header', { class: 'card-head' }, h('span', { class: 'badge', 'aria-hidden': 'true' }, letter), choose, formula),
+    h(
+      'header',
+      { class: 'card-head' },
+      h('span', { class: 'badge', 'aria-hidden': 'true' }, letter),
+      choose,
+      operatorName,
+      formula,
+    ),
     h('div', { class: 'count' }, loud, h('p', { class: 'count-text' }, caption, share), again),
     view,
     h('p', { class: 'view-caption' }, at, outside, crossing),
@@ -54,6 +63,7 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
     () => {
       const operator = operatorOf(app.state.get().sides[side]);
       choose.value = operator.id;
+      operatorName.textContent = t(operator.label);
       choose.title = `${t(operator.summary)}\n${operator.citation}`;
       formula.replaceChildren(...formulaParts(operator.formulaMathml));
       view.setAttribute(

@@ -51,7 +51,12 @@ export function page(app: App, root: HTMLElement, scope: Scope, photograph: Phot
     (task) => app.setTask(task),
   );
   const narrowTransport = h('div', { class: 'narrow-transport' }, transport(app));
-  const panel = h('aside', { class: 'panel', 'aria-label': 'Controls and readouts' }, ...Object.values(panels));
+  // Part of another page, it adds no landmarks to those.
+  const panel = h(
+    scope.whole ? 'aside' : 'div',
+    { class: 'panel', role: scope.whole ? undefined : 'group', 'aria-label': 'Controls and readouts' },
+    ...Object.values(panels),
+  );
   const stage = h('div', { class: 'stage' }, cards.a.element, cards.b.element, cards.delta.element, canvas);
   const masthead = header(app, {
     gallery: later(app, root, 'The gallery', async () => (await import('./gallery-dialog.js')).galleryDialog(app)),
@@ -75,7 +80,7 @@ export function page(app: App, root: HTMLElement, scope: Scope, photograph: Phot
       h('div', { class: 'messages' }, messageLine(app, 'error', leave), messageLine(app, 'report', leave)),
       deltaToggle(app),
     ),
-    h('main', {}, narrowTransport, sideSwitch(app), stage, panel),
+    h(scope.whole ? 'main' : 'div', { class: 'main' }, narrowTransport, sideSwitch(app), stage, panel),
     statusLine(app),
   );
   app.state.watch(
