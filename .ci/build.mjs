@@ -65,7 +65,7 @@ export const buildGallery = () => run(process.execPath, [join(root, 'web/gallery
 export async function buildSite() {
   await buildGallery();
   await runTool('vite', ['build', 'web']);
-  await run(process.execPath, [join(root, 'web/figures/build.mjs')]);
+  await run(process.execPath, [join(root, 'web/pages.mjs')]);
   await run(process.execPath, [join(root, 'web/embed/build.mjs')]);
 }
 
