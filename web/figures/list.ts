@@ -3,7 +3,15 @@ import type { Figure } from './figure.js';
 import type { Lang, Shared, Words } from './words.js';
 
 /** In the order of their numbers. */
-export const ids = ['one-interior-vertex', 'vector-area', 'soap-film'] as const;
+export const ids = [
+  'one-interior-vertex',
+  'orthogonal-dual',
+  'power-weights',
+  'vector-area',
+  'circumcentric-dual',
+  'dirichlet-energy',
+  'soap-film',
+] as const;
 
 const figures = import.meta.glob<Figure>('./*/figure.ts', { import: 'figure' });
 const words = import.meta.glob<Words>('./*/{en,de}.json', { import: 'default' });

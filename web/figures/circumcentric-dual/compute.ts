@@ -2,6 +2,7 @@ import type { Client } from '../../src/polylap.js';
 import type { Point, Reading, Settings } from '../figure.js';
 import { arraysOf, entry, type Flat } from '../flat.js';
 import { angle, length, minus, powerCentre, signedDualLength } from '../plane.js';
+import { fixed } from '../svg.js';
 
 export interface Data {
   /** The edge runs up from vertex 0 to vertex 1; 2 is on its left, 3 on its right. */
@@ -62,11 +63,11 @@ const degrees = (radians: number) => (radians * 180) / Math.PI;
 
 export function read(data: Data): Reading[] {
   const { gammas, weight, dualLength, edgeLength } = data;
-  const bad = isNegative(data);
+  const [bad, ratio] = [isNegative(data), dualLength / edgeLength];
   return [
-    { id: 'left', value: degrees(gammas[0]), text: `${degrees(gammas[0]).toFixed(1)}°` },
-    { id: 'right', value: degrees(gammas[1]), text: `${degrees(gammas[1]).toFixed(1)}°` },
-    { id: 'cotan', value: weight, bad },
-    { id: 'ratio', value: dualLength / edgeLength, bad },
+    { id: 'left', value: degrees(gammas[0]), text: `${fixed(degrees(gammas[0]), 1)}°` },
+    { id: 'right', value: degrees(gammas[1]), text: `${fixed(degrees(gammas[1]), 1)}°` },
+    { id: 'cotan', value: weight, text: fixed(weight, 4), bad },
+    { id: 'ratio', value: ratio, text: fixed(ratio, 4), bad },
   ];
 }

@@ -2,6 +2,7 @@ import type { Client } from '../../src/polylap.js';
 import type { Point, Reading, Settings } from '../figure.js';
 import { arraysOf, type Flat, times } from '../flat.js';
 import { dot, minus, plus, signedArea, type Triangle } from '../plane.js';
+import { fixed } from '../svg.js';
 
 export interface Data {
   readonly source: Triangle;
@@ -53,11 +54,11 @@ export const excess = ({ energy, area }: Data) => energy - Math.abs(area);
 export function read(data: Data): Reading[] {
   const { energy, area, stretches } = data;
   return [
-    { id: 'energy', value: energy },
-    { id: 'area', value: Math.abs(area) },
-    { id: 'excess', value: excess(data) },
+    { id: 'energy', value: energy, text: fixed(energy, 4) },
+    { id: 'area', value: Math.abs(area), text: fixed(Math.abs(area), 4) },
+    { id: 'excess', value: excess(data), text: fixed(excess(data), 4) },
     { id: 'stretch', value: stretches[0] / stretches[1], text: stretchText(stretches) },
   ];
 }
 
-const stretchText = (stretches: readonly [number, number]) => stretches.map((each) => each.toFixed(3)).join(' · ');
+const stretchText = (stretches: readonly [number, number]) => stretches.map((each) => fixed(each)).join(', ');

@@ -1,7 +1,9 @@
 import type { Client, Dual } from '../../src/polylap.js';
+import { rounding } from '../drawing.js';
 import type { Point, Reading, Settings } from '../figure.js';
 import { arraysOf, type Flat } from '../flat.js';
 import { between, dot, minus } from '../plane.js';
+import { fixed } from '../svg.js';
 import { type MeshName, quads } from './quads.js';
 
 /** An edge of the mesh and its dual. */
@@ -21,7 +23,7 @@ export interface Data {
   readonly barycentres: readonly Point[];
   readonly dual: readonly Point[];
   readonly crossings: readonly Crossing[];
-  readonly measured: Pick<Dual, 'residual' | 'largestShift' | 'usable' | 'nullSpace' | 'worstFace'>;
+  readonly measured: Pick<Dual, 'residual' | 'largestShift' | 'usable' | 'worstFace'>;
 }
 
 /** In the plane a rounding error of this times the largest weight has no sign, as for the operators. */
@@ -63,12 +65,11 @@ export function isNegative({ crossings }: Data): (crossing: Crossing) => boolean
 }
 
 export function read(data: Data): Reading[] {
-  const { residual, largestShift, usable, nullSpace } = data.measured;
+  const { residual, largestShift, usable } = data.measured;
   const negative = data.crossings.filter(isNegative(data)).length;
   return [
-    { id: 'residual', value: residual },
-    { id: 'shift', value: largestShift, bad: !usable },
+    { id: 'residual', value: residual, text: rounding(residual) },
+    { id: 'shift', value: largestShift, text: fixed(largestShift), bad: !usable },
     { id: 'negative', value: negative, bad: negative > 0 },
-    { id: 'freedom', value: nullSpace },
   ];
 }

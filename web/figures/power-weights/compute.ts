@@ -1,7 +1,9 @@
 import type { Client, OperatorSpec } from '../../src/polylap.js';
+import { rounding } from '../drawing.js';
 import type { Point, Reading, Settings } from '../figure.js';
 import { arraysOf, entry, type Flat, times } from '../flat.js';
 import { length, minus, powerCentre, signedDualLength, type Triangle } from '../plane.js';
+import { fixed } from '../svg.js';
 import { inner, patch } from './patch.js';
 
 /** An edge between two triangles. */
@@ -88,11 +90,13 @@ export function read({ edges, residual }: Data): Reading[] {
   const smallest = Math.min(...edges.map(({ weight }) => weight));
   const negative = edges.filter(isNegative).length;
   const largest = (of: (edge: Edge) => number) => Math.max(...edges.map((edge) => Math.abs(of(edge))));
+  const change = largest(({ weight, cotan }) => weight - cotan);
+  const difference = largest(({ weight, ratio }) => weight - ratio);
   return [
-    { id: 'smallest', value: smallest, bad: isNegative({ weight: smallest }) },
+    { id: 'smallest', value: smallest, text: fixed(smallest), bad: isNegative({ weight: smallest }) },
     { id: 'negative', value: negative, bad: negative > 0 },
-    { id: 'change', value: largest(({ weight, cotan }) => weight - cotan) },
-    { id: 'ratio', value: largest(({ weight, ratio }) => weight - ratio) },
-    { id: 'residual', value: residual },
+    { id: 'change', value: change, text: fixed(change) },
+    { id: 'ratio', value: difference, text: rounding(difference) },
+    { id: 'residual', value: residual, text: rounding(residual) },
   ];
 }
