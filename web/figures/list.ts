@@ -3,15 +3,18 @@ import type { Figure } from './figure.js';
 import type { Lang, Shared, Words } from './words.js';
 
 /** In the order of their numbers. */
-export const ids = [
+export const ids: readonly [string, ...string[]] = [
   'one-interior-vertex',
+  'maximum-principle',
+  'two-cuts',
   'orthogonal-dual',
   'power-weights',
   'vector-area',
+  'checkerboard',
   'circumcentric-dual',
   'dirichlet-energy',
   'soap-film',
-] as const;
+];
 
 const figures = import.meta.glob<Figure>('./*/figure.ts', { import: 'figure' });
 const words = import.meta.glob<Words>('./*/{en,de}.json', { import: 'default' });

@@ -120,6 +120,8 @@ export function figureHtml(shown: Shown): string {
   const controls = figure.controls.map((control) =>
     controlHtml(control, shown.settings[control.id] ?? control.initial, shown),
   );
+  const hint = ['handle', 'turn'].find((kind) => figure.controls.some((control) => control.kind === kind));
+  if (hint) controls.push(tag('p', { class: 'hint' }, say(hint)));
   const reset = tag('button', { type: 'reset' }, say('reset'));
   const name = tag('b', {}, say('figure', { number: figure.number }));
   return tag(

@@ -59,8 +59,8 @@ export const figure = drawn<Data>({
   },
   draw: (data, _settings, say) => picture(data, data.a, say('draw.a'), say) + picture(data, data.b, say('draw.b'), say),
   read: ({ a, b }) => [
-    { id: 'a', value: a.value, bad: isOutside(a.value) },
-    { id: 'b', value: b.value, bad: isOutside(b.value) },
+    { id: 'a', value: a.value, text: fixed(a.value, 4), bad: isOutside(a.value) },
+    { id: 'b', value: b.value, text: fixed(b.value, 4), bad: isOutside(b.value) },
     { id: 'edge', ...weightOf(a, 1) },
     { id: 'edge-b', ...weightOf(b, 1) },
     { id: 'diagonal', ...weightOf(a, 0) },
@@ -86,7 +86,7 @@ function weightOf({ weights }: Side, vertex: number) {
   return { value, text: fixed(value), bad: value < -rounding };
 }
 
-const [width, height] = [360, 330];
+const [width, height] = [360, 340];
 
 /** The four faces, what is pinned, the row of the middle, and its value on a scale. */
 function picture({ points, faces }: Data, side: Side, title: string, say: Say): string {
@@ -96,7 +96,7 @@ function picture({ points, faces }: Data, side: Side, title: string, say: Say): 
     y: [Math.min(...ys), Math.max(...ys)],
     width,
     height,
-    margin: [56, 92, 40, 34],
+    margin: [76, 92, 34, 34],
   });
   const at = points.map(frame.at);
   const place = (vertex: number): Point => at[vertex] ?? [0, 0];
@@ -123,20 +123,25 @@ function picture({ points, faces }: Data, side: Side, title: string, say: Say): 
     ...spokes,
     ...rims,
     ...numbers,
-    circle(hub, 9, isOutside(side.value) ? 'hub bad' : 'hub'),
+    circle(hub, 9, 'hub'),
     weightLabels(side, place),
     scale(side.value, say),
   );
 }
 
-/** On an edge and on a diagonal: the others have the same. */
+/** Beside an edge each way and a diagonal: the others have the same. */
 function weightLabels({ weights }: Side, place: (vertex: number) => Point): string {
   const hub = place(middle);
-  return [5, 7, 8]
-    .map((vertex) => {
+  const besides: [number, Point][] = [
+    [5, [0, -14]],
+    [7, [-23, 0]],
+    [8, [0, 0]],
+  ];
+  return besides
+    .map(([vertex, [dx, dy]]) => {
       const w = weights.get(vertex) ?? 0;
       const [x, y] = place(vertex);
-      const at: Point = [hub[0] + 0.56 * (x - hub[0]), hub[1] + 0.56 * (y - hub[1])];
+      const at: Point = [hub[0] + 0.56 * (x - hub[0]) + dx, hub[1] + 0.56 * (y - hub[1]) + dy];
       return text(at, fixed(w, 2), w < -rounding ? 'halo bad' : 'halo');
     })
     .join('');
@@ -144,7 +149,7 @@ function weightLabels({ weights }: Side, place: (vertex: number) => Point): stri
 
 /** From 0 to 2, with the range of what is pinned. */
 function scale(value: number, say: Say): string {
-  const [x, top, bottom] = [width - 34, 56, height - 40];
+  const [x, top, bottom] = [width - 34, 76, height - 34];
   const y = (v: number): number => bottom + ((top - bottom) * v) / 2;
   const shown = Math.max(0, Math.min(2, value));
   return group(
