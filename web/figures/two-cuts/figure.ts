@@ -4,7 +4,7 @@ import { choice, stateWith } from '../common.js';
 import { drawn, type Handle, type Point, type Say, type Settings } from '../figure.js';
 import { arraysOf, objOf } from '../flat.js';
 import { angle, between, minus, powerCentre, signedArea, type Triangle } from '../plane.js';
-import { circle, fixed, group, handle, indexed, type Label, labels, line, plane, polygon, svg, tag } from '../svg.js';
+import { circle, fixed, group, handle, indexed, type Label, labels, line, plane, polygon, svg } from '../svg.js';
 
 /** Each corner stays in its own quarter around the middle, so that sides never cross. */
 const quarters = {
