@@ -1,5 +1,7 @@
 /** The figures of duals and of the Dirichlet energy: what the core says against closed forms, over all that their controls allow. */
-import { describe, expect, it } from 'vitest';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { Client } from '../../wasm/src/index.js';
+import { createClient } from '../../wasm/src/node.js';
 import * as circumcentric from '../../web/figures/circumcentric-dual/compute.js';
 import * as dirichlet from '../../web/figures/dirichlet-energy/compute.js';
 import type { Point } from '../../web/figures/figure.js';
@@ -7,9 +9,12 @@ import * as orthogonal from '../../web/figures/orthogonal-dual/compute.js';
 import { meshes, sideOf } from '../../web/figures/orthogonal-dual/quads.js';
 import { dot, length, minus, plus, signedArea, type Triangle } from '../../web/figures/plane.js';
 import * as power from '../../web/figures/power-weights/compute.js';
-import { useClients } from '../wasm/client-help.js';
 
-const { start } = useClients();
+let client: Client;
+beforeAll(async () => {
+  client = await createClient();
+});
+afterAll(() => client.close());
 
 const readings = (list: readonly { id: string; value: number; bad?: boolean }[]) =>
   Object.fromEntries(list.map((reading) => [reading.id, reading]));
@@ -19,7 +24,6 @@ const steps = (a: number, b: number, count: number) =>
 
 describe('circumcentric dual', () => {
   it('has half the cotangents, and the dual edge over the edge, as its weight', async () => {
-    const client = await start();
     for (const x of steps(0.2, 2, 7)) {
       for (const [y, right] of [
         [0, [0.4, 0.3]],
@@ -45,10 +49,10 @@ describe('circumcentric dual', () => {
   });
 
   it('is 0 where all four corners lie on a circle, and belongs to the square', async () => {
-    const data = await circumcentric.compute(await start(), { left: [-1, 0], right: [1, 0] });
+    const data = await circumcentric.compute(client, { left: [-1, 0], right: [1, 0] });
     expect(Math.abs(data.weight)).toBeLessThan(1e-14);
     expect(circumcentric.isNegative(data)).toBe(false);
-    const equilateral = await circumcentric.compute(await start(), {
+    const equilateral = await circumcentric.compute(client, {
       left: [-Math.sqrt(3), 0],
       right: [Math.sqrt(3), 0],
     });
@@ -60,7 +64,6 @@ describe('power weights', () => {
   const settings = (omega: number, middle: Point = [0, 0]) => ({ omega, middle });
 
   it('are dual over primal lengths of the drawn power diagram, and linearly precise, for every ω', async () => {
-    const client = await start();
     for (const omega of steps(-1.6, 1.6, 9)) {
       for (const middle of [
         [0, 0],
@@ -84,7 +87,6 @@ describe('power weights', () => {
   });
 
   it('are the cotan weights where ω is 0, and change only where the middle vertex has a triangle', async () => {
-    const client = await start();
     const [plain, moved] = [await power.compute(client, settings(0)), await power.compute(client, settings(0.5))];
     for (const { weight, cotan } of plain.edges) expect(weight).toBe(cotan);
     expect(plain.edges.every(({ weight }) => weight > 0)).toBe(true);
@@ -96,7 +98,6 @@ describe('power weights', () => {
   });
 
   it('turn spokes negative far below 0, and the ring far above', async () => {
-    const client = await start();
     const negative = async (omega: number) =>
       (await power.compute(client, settings(omega))).edges.filter(power.isNegative);
     const [below, above] = [await negative(-1.6), await negative(1.6)];
@@ -108,7 +109,6 @@ describe('power weights', () => {
 
 describe('orthogonal dual', () => {
   it('is orthogonal on every mesh, and its weights are signed lengths over lengths', async () => {
-    const client = await start();
     for (const mesh of meshes) {
       for (const amount of steps(0, 0.4, 5)) {
         const data = await orthogonal.compute(client, { mesh, amount });
@@ -135,7 +135,6 @@ describe('orthogonal dual', () => {
   });
 
   it('of parallelograms is the lattice that is sheared the other way: the corners of a larger mesh are farther off', async () => {
-    const client = await start();
     for (const mesh of ['sheared', 'sheared-more'] as const) {
       const middle = (sideOf[mesh] - 1) / 2;
       for (const s of steps(0, 0.4, 5)) {
@@ -151,7 +150,6 @@ describe('orthogonal dual', () => {
   });
 
   it('has negative edges on a mesh that is shaken hard, and no right to be used', async () => {
-    const client = await start();
     const at = async (amount: number) =>
       readings(orthogonal.read(await orthogonal.compute(client, { mesh: 'shaken', amount })));
     const [little, much] = [await at(0.1), await at(0.4)];
@@ -187,7 +185,6 @@ describe('Dirichlet energy', () => {
   ];
 
   it('is half the squared stretches times the area, at least the area of the image', async () => {
-    const client = await start();
     const area = signedArea(source.a, source.b, source.c);
     for (const [p, q, r] of images) {
       const data = await dirichlet.compute(client, { ...source, p, q, r });
@@ -200,7 +197,6 @@ describe('Dirichlet energy', () => {
   });
 
   it('is the area where the image is similar, turned over or not, and moving it changes nothing', async () => {
-    const client = await start();
     const similar = ([x, y]: Point, turn: number, scale: number, mirror: 1 | -1): Point => [
       scale * (Math.cos(turn) * x - Math.sin(turn) * mirror * y),
       scale * (Math.sin(turn) * x + Math.cos(turn) * mirror * y),
