@@ -105,6 +105,13 @@ export interface Visit {
 
 /** Opens the page, or a link to it, and waits for its first numbers. */
 export async function visit(site: Site, options: BrowserContextOptions = {}, link = site.url): Promise<Visit> {
+  const visited = await open(site, link, options);
+  await settled(visited.page);
+  return visited;
+}
+
+/** Opens any page of the site, and listens. */
+export async function open(site: Site, link: string, options: BrowserContextOptions = {}): Promise<Visit> {
   const context = await site.browser.newContext({
     viewport: { width: 1440, height: 900 },
     reducedMotion: 'reduce',
@@ -130,7 +137,6 @@ export async function visit(site: Site, options: BrowserContextOptions = {}, lin
     else if (!/^(data|blob):/.test(request.url())) troubles.push(`left the site: ${request.url()}`);
   });
   await page.goto(link);
-  await settled(page);
   return { page, troubles, requests, close: () => context.close() };
 }
 

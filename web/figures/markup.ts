@@ -32,6 +32,8 @@ function controlHtml(control: Control, setting: Setting, { words }: Loaded): str
     const input = tag('input', {
       type: 'range',
       name: id,
+      // Its label may be a formula.
+      'aria-label': plain(name),
       min: String(control.min),
       max: String(control.max),
       step: String(control.step),
@@ -123,7 +125,10 @@ export function figureHtml(shown: Shown): string {
   const hint = ['handle', 'turn'].find((kind) => figure.controls.some((control) => control.kind === kind));
   if (hint) controls.push(tag('p', { class: 'hint' }, say(hint)));
   const reset = tag('button', { type: 'reset' }, say('reset'));
-  const name = tag('b', {}, say('figure', { number: figure.number }));
+  const numbered = say('figure', { number: figure.number });
+  const name = tag('b', {}, numbered);
+  // Several figures on one page are told apart.
+  const controlsName = `${say('controls')}, ${numbered}`;
   return tag(
     'figure',
     {
@@ -136,7 +141,7 @@ export function figureHtml(shown: Shown): string {
       lang,
     },
     drawingHtml(shown),
-    tag('form', { class: 'controls', 'aria-label': say('controls'), autocomplete: 'off' }, ...controls, reset),
+    tag('form', { class: 'controls', 'aria-label': controlsName, autocomplete: 'off' }, ...controls, reset),
     readingsHtml(shown.readings, shown),
     tag('p', { class: 'note', role: 'status', 'data-loading': say('loading'), 'data-failed': say('failed') }, ''),
     tag(

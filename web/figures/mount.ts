@@ -87,9 +87,9 @@ class LiveFigure implements Mounted {
     this.id = element.dataset.figure ?? '';
     this.#controls = JSON.parse(element.dataset.controls ?? '[]');
     this.#settings = this.#initial();
-    this.#listen();
-    // A browser that comes back to a page may fill in what was there.
+    // A browser that comes back to a page may fill in what was there. Nobody has touched the figure by this.
     this.#form?.reset();
+    this.#listen();
   }
 
   settings(): Settings {

@@ -7,6 +7,15 @@ import type { TableWords } from './measured.js';
 followLanguage();
 hydrateAll();
 
+/** Formulas that are wider than the screen are scrolled with keys, too. */
+const widths = new ResizeObserver((entries) => {
+  for (const { target } of entries) {
+    if (target.scrollWidth > target.clientWidth) target.setAttribute('tabindex', '0');
+    else target.removeAttribute('tabindex');
+  }
+});
+for (const formula of document.querySelectorAll('.formula')) widths.observe(formula);
+
 for (const table of document.querySelectorAll<HTMLElement>('.measured')) measureIn(table);
 
 function measureIn(table: HTMLElement): void {

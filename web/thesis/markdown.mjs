@@ -38,9 +38,9 @@ export function convert(text, { say, blocks = {}, references = {} }) {
   const times = new Map();
   let exercises = 0;
 
-  const heading = (level, html) => {
+  const heading = (level, html, isListed = level <= 3) => {
     const [, title, id] = wanted(html.match(/^(.*?)\s*\{#([\w-]+)\}$/s) ?? undefined, `id in the heading ${html}`);
-    if (level <= 3) headings.push({ level, id, title });
+    if (isListed) headings.push({ level, id, title });
     return `<h${level} id="${id}">${title} <a class="anchor" href="#${id}" aria-label="${escapeText(say('link'))}">#</a></h${level}>\n`;
   };
 
@@ -122,7 +122,7 @@ export function convert(text, { say, blocks = {}, references = {} }) {
         const number = ++exercises;
         const name = this.parser.parseInline(title);
         return `<section class="exercise">
-${heading(4, `<span class="number">${say('exercise', { number })}</span> ${name}`)}${this.parser.parse(question)}<details>
+${heading(3, `<span class="number">${say('exercise', { number })}</span> ${name}`, false)}${this.parser.parse(question)}<details>
 <summary>${say('answer')}</summary>
 <div class="answer">${this.parser.parse(answer)}</div></details>
 </section>\n`;
