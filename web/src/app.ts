@@ -4,13 +4,13 @@ import { compare } from './compare.js';
 import { exact } from './format.js';
 import { History } from './history.js';
 import { Meshes } from './meshes.js';
-import { explain } from './messages.js';
+import { describe, explain, reportOf } from './messages.js';
 import { sameMoves } from './moves.js';
 import type { Client, Mesh, Side } from './polylap.js';
 import { noResults, type Place, type Results, type SideResults } from './results.js';
 import { readLink } from './share.js';
 import { Smoothing } from './smoothing.js';
-import { type Choice, initialState, type State, sides, withPin, withWeight } from './state.js';
+import { type Choice, initialState, nameOf, type State, sides, withPin, withWeight } from './state.js';
 import { Store } from './store.js';
 import { t, told } from './words.js';
 import { isCancelled, Work } from './work.js';
@@ -250,6 +250,24 @@ export class App {
     this.results.set({ playing: false });
     this.meshes.close();
     this.work.makeWay();
+  }
+
+  /** Says in the language that is spoken now what was said in another one; what only told of something past goes. */
+  translate(): void {
+    const { mesh, report, ...results } = this.results.get();
+    for (const side of sides) {
+      const unsaid = Object.entries(results[side]).flatMap(([kind, why]) =>
+        typeof why === 'string' ? [[kind, null]] : [],
+      );
+      this.results.set({ [side]: { ...results[side], ...Object.fromEntries(unsaid) } });
+    }
+    const label = nameOf(this.state.get().source);
+    this.results.set({
+      notice: mesh ? describe(mesh, label) : '',
+      report: mesh && report && reportOf(mesh, label),
+      error: null,
+    });
+    this.answers.updateBoth();
   }
 
   /** Whether nothing is under way. */

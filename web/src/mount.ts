@@ -10,6 +10,7 @@ import type { Gestures } from './scene/host-scroll.js';
 import { Viewer } from './scene/viewer.js';
 import { type Keys, Scope } from './scope.js';
 import { views as allViews, type View } from './state.js';
+import { type Language, language, t } from './words.js';
 
 /** The whole page; tasks, operators and their parameters; or the views with the loud numbers. */
 export type Controls = 'full' | 'some' | 'none';
@@ -31,6 +32,10 @@ export interface MountOptions {
   settings?: Partial<Settings>;
   /** Brings the first mesh, or whatever there is to see first. */
   start: (app: App) => Promise<unknown>;
+  /** Of a page that was released: goes on where that was. */
+  app?: App;
+  /** Offers the other languages, and does what it takes to speak one: see words.ts. */
+  speak?: (language: Language) => void;
   /** Draws nothing before wake(). */
   asleep?: boolean;
   /** After each frame. */
@@ -52,6 +57,8 @@ export interface Mounted {
   wake(): boolean;
   /** Holds no WebGL context any more; the last picture stays, and everything else goes on. */
   sleep(): void;
+  /** Takes away what is seen and leaves the rest, to be mounted again in another language. */
+  release(): App;
   /** Leaves nothing behind: no listener, no context, no mesh in the workers. */
   dispose(): void;
 }
@@ -62,10 +69,8 @@ function withoutLandmarks(body: HTMLElement): void {
   for (const each of body.querySelectorAll('section[aria-label]')) each.setAttribute('role', 'group');
 }
 
-const noWebGl = 'This browser shows no WebGL';
-
 /**
- * The page within a part of a document or within a shadow root, in the language that is spoken there.
+ * The page within a part of a document or within a shadow root, in the language of words.ts.
  * The style sheet `styles/main.css` belongs to whoever owns the root.
  */
 export function mount(root: ShadowRoot | HTMLElement, options: MountOptions): Mounted {
@@ -78,18 +83,22 @@ export function mount(root: ShadowRoot | HTMLElement, options: MountOptions): Mo
     touch: 'auto',
     ...options.settings,
   };
-  const app = new App(client);
-  const ready = start(app).then(() => app.history.begin());
+  const app = options.app ?? new App(client);
+  const forget = [app.state.mark(), app.results.mark()];
+  const ready = options.app ? Promise.resolve() : start(app).then(() => app.history.begin());
+  const taken = options.app?.results.get().mesh;
+  if (options.app) app.translate();
   const body = h('div', { class: 'page' });
   const probe = h('span', { class: 'colour-probe', 'aria-hidden': 'true' });
-  const element = h('div', { class: 'polylap', 'data-whole': String(whole) }, body, probe);
+  const element = h('div', { class: 'polylap', lang: language(), 'data-whole': String(whole) }, body, probe);
   root.append(element);
   const scope = new Scope(element, root, whole, settings.keys);
 
-  const { canvas, views, help } = page(app, body, scope, async (view, transparent) => {
-    if (!wake()) throw new Error(`${noWebGl}, so there are no pictures.`);
+  const photograph = async (view: View, transparent: boolean) => {
+    if (!wake()) throw new Error(t('This browser shows no WebGL, so there are no pictures.'));
     return viewer.photograph(view, transparent);
-  });
+  };
+  const { canvas, views, help } = page(app, body, scope, photograph, options.speak);
   bindKeys(app, scope, help);
   if (!whole) withoutLandmarks(body);
 
@@ -109,10 +118,10 @@ export function mount(root: ShadowRoot | HTMLElement, options: MountOptions): Mo
   const viewer = new Viewer(canvas, views, settings, {
     afterFrame: () => options.onFrame?.(),
     stale: () => options.onStale?.(),
-    lost: () => tell('The graphics card took the picture away. It comes back by itself as soon as it can.'),
+    lost: () => tell(t('The graphics card took the picture away. It comes back by itself as soon as it can.')),
     restored: () => {
       tell(null);
-      app.say('The picture is back.');
+      app.say(t('The picture is back.'));
     },
   });
   app.front = () => viewer.front() ?? 0;
@@ -123,7 +132,9 @@ export function mount(root: ShadowRoot | HTMLElement, options: MountOptions): Mo
       viewer.wake();
     } catch {
       failed = true;
-      void ready.then(() => tell(`${noWebGl}, so the meshes cannot be drawn. All numbers are right without it.`));
+      void ready.then(() =>
+        tell(t('This browser shows no WebGL, so the meshes cannot be drawn. All numbers are right without it.')),
+      );
     }
     return !failed;
   };
@@ -149,7 +160,7 @@ export function mount(root: ShadowRoot | HTMLElement, options: MountOptions): Mo
       // After all that is asked about a new mesh in any case.
       queueMicrotask(() => {
         const { selected } = app.state.get();
-        if (mesh && app.results.get().mesh === mesh && selected === null) app.select(app.front());
+        if (mesh && mesh !== taken && app.results.get().mesh === mesh && selected === null) app.select(app.front());
       });
     },
   );
@@ -175,11 +186,13 @@ export function mount(root: ShadowRoot | HTMLElement, options: MountOptions): Mo
   set({});
   if (!options.asleep) wake();
 
-  const dispose = () => {
+  const release = () => {
     scope.end();
-    app.close();
+    for (const each of forget) each();
     viewer.dispose();
     element.remove();
+    return app;
   };
-  return { app, viewer, element, ready, set, wake, sleep: () => viewer.sleep(), dispose };
+  const dispose = () => release().close();
+  return { app, viewer, element, ready, set, wake, sleep: () => viewer.sleep(), release, dispose };
 }

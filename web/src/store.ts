@@ -26,4 +26,12 @@ export class Store<T extends object> {
     look();
     return () => this.watchers.delete(look);
   }
+
+  /** @returns stops all that came to watch since */
+  mark(): () => void {
+    const before = new Set(this.watchers);
+    return () => {
+      for (const watcher of this.watchers) if (!before.has(watcher)) this.watchers.delete(watcher);
+    };
+  }
 }

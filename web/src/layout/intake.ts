@@ -2,6 +2,7 @@ import type { App } from '../app.js';
 import { h, isTyping } from '../dom.js';
 import { formatOf, formatOfText, formats } from '../mesh-text.js';
 import type { Scope } from '../scope.js';
+import { t, word } from '../words.js';
 
 /** Meshes come in by file picker, by drop anywhere, and by paste. Returns the way to the picker. */
 export function intake(app: App, page: HTMLElement, scope: Scope): { element: HTMLInputElement; pick: () => void } {
@@ -9,7 +10,7 @@ export function intake(app: App, page: HTMLElement, scope: Scope): { element: HT
     type: 'file',
     class: 'unseen',
     tabindex: -1,
-    'aria-label': 'Mesh file',
+    'aria-label': t('Mesh file'),
     accept: formats.map((format) => `.${format},model/${format}`).join(','),
     onchange: () => {
       const file = element.files?.[0];
@@ -18,7 +19,7 @@ export function intake(app: App, page: HTMLElement, scope: Scope): { element: HT
       element.value = '';
     },
   });
-  const target = h('div', { class: 'drop', hidden: true }, h('p', {}, 'Drop the mesh to open it'));
+  const target = h('div', { class: 'drop', hidden: true }, h('p', {}, t('Drop the mesh to open it')));
   page.append(target);
   const carriesFile = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;
   const carriesText = (event: DragEvent) =>
@@ -53,13 +54,19 @@ export function intake(app: App, page: HTMLElement, scope: Scope): { element: HT
     if (!isTyping(event.target)) take(event.clipboardData, 'pasted');
   });
 
-  function take(data: DataTransfer | null, how: string): void {
+  function take(data: DataTransfer | null, how: 'dropped' | 'pasted'): void {
     const text = data?.getData('text/plain') ?? '';
     const format = formatOfText(text);
     if (data && data.files.length > 0) void openOne(app, [...data.files]);
     else if (format) void app.meshes.open(new Blob([text]), `${how}.${format}`);
     else if (text)
-      app.say(`The ${how} text is no mesh: no OBJ text (no line starts with v and a number), OFF, PLY or STL.`);
+      app.say(
+        t(
+          how === 'dropped'
+            ? word('The dropped text is no mesh: no OBJ text (no line starts with v and a number), OFF, PLY or STL.')
+            : word('The pasted text is no mesh: no OBJ text (no line starts with v and a number), OFF, PLY or STL.'),
+        ),
+      );
   }
   return { element, pick: () => element.click() };
 }
@@ -72,6 +79,9 @@ async function openOne(app: App, files: readonly File[]): Promise<void> {
   const left = files.filter((file) => file !== chosen).map(({ name }) => name);
   const { source } = app.state.get();
   if (left.length === 0 || source.kind !== 'file' || source.name !== chosen.name) return;
-  const named = left.length > 4 ? `${left.slice(0, 3).join(', ')} and ${left.length - 3} more` : left.join(', ');
-  app.say(`${app.results.get().notice} One mesh at a time: left out ${named}.`);
+  const named =
+    left.length > 4
+      ? t('{names} and {n} more', { names: left.slice(0, 3).join(', '), n: left.length - 3 })
+      : left.join(', ');
+  app.say(`${app.results.get().notice} ${t('One mesh at a time: left out {names}.', { names: named })}`);
 }

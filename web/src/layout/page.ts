@@ -4,6 +4,7 @@ import { count } from '../format.js';
 import { known } from '../results.js';
 import type { Scope } from '../scope.js';
 import { type Task, type View, views } from '../state.js';
+import { type Language, t } from '../words.js';
 import { card } from './card.js';
 import { checkPanel } from './check-panel.js';
 import { button } from './controls.js';
@@ -27,8 +28,14 @@ export interface Page {
 }
 
 /** Everything that is mounted, in reading order. */
-export function page(app: App, root: HTMLElement, scope: Scope, photograph: Photographer): Page {
-  const help = later(app, root, 'Help', async () => (await import('./dialogs.js')).helpDialog());
+export function page(
+  app: App,
+  root: HTMLElement,
+  scope: Scope,
+  photograph: Photographer,
+  speak?: (language: Language) => void,
+): Page {
+  const help = later(app, root, t('Help'), async () => (await import('./dialogs.js')).helpDialog());
   const files = intake(app, root, scope);
   const cards = { a: card(app, 'a'), b: card(app, 'b'), delta: deltaCard(app) };
   const canvas = h('canvas', { class: 'scene', 'aria-hidden': 'true' });
@@ -40,13 +47,13 @@ export function page(app: App, root: HTMLElement, scope: Scope, photograph: Phot
     check: checkPanel(app),
   };
   const tasks = tabs<Task>(
-    'Task',
+    t('Task'),
     [
-      { id: 'weights', label: 'Weights', panel: panels.weights },
-      { id: 'smooth', label: 'Smooth', panel: panels.smooth },
-      { id: 'harmonic', label: 'Harmonic', panel: panels.harmonic },
-      { id: 'dual', label: 'Dual', panel: panels.dual },
-      { id: 'check', label: 'Check', panel: panels.check },
+      { id: 'weights', label: t('Weights'), panel: panels.weights },
+      { id: 'smooth', label: t('Smooth'), panel: panels.smooth },
+      { id: 'harmonic', label: t('Harmonic'), panel: panels.harmonic },
+      { id: 'dual', label: t('Dual'), panel: panels.dual },
+      { id: 'check', label: t('Check'), panel: panels.check },
     ],
     (task) => app.setTask(task),
   );
@@ -54,20 +61,21 @@ export function page(app: App, root: HTMLElement, scope: Scope, photograph: Phot
   // Part of another page, it adds no landmarks to those.
   const panel = h(
     scope.whole ? 'aside' : 'div',
-    { class: 'panel', role: scope.whole ? undefined : 'group', 'aria-label': 'Controls and readouts' },
+    { class: 'panel', role: scope.whole ? undefined : 'group', 'aria-label': t('Controls and readouts') },
     ...Object.values(panels),
   );
   const stage = h('div', { class: 'stage' }, cards.a.element, cards.b.element, cards.delta.element, canvas);
   const masthead = header(app, {
-    gallery: later(app, root, 'The gallery', async () => (await import('./gallery-dialog.js')).galleryDialog(app)),
+    gallery: later(app, root, t('The gallery'), async () => (await import('./gallery-dialog.js')).galleryDialog(app)),
     open: files.pick,
-    paste: later(app, root, 'The field to paste into', async () => (await import('./dialogs.js')).pasteDialog(app)),
-    make: later(app, root, 'What can be made', async () => (await import('./make-dialog.js')).makeDialog(app)),
-    share: later(app, root, 'The link', async () => (await import('./share-dialog.js')).shareDialog(app)),
-    save: later(app, root, 'What can be saved', async () =>
+    paste: later(app, root, t('The field to paste into'), async () => (await import('./dialogs.js')).pasteDialog(app)),
+    make: later(app, root, t('What can be made'), async () => (await import('./make-dialog.js')).makeDialog(app)),
+    share: later(app, root, t('The link'), async () => (await import('./share-dialog.js')).shareDialog(app)),
+    save: later(app, root, t('What can be saved'), async () =>
       (await import('./export-dialog.js')).exportDialog(app, photograph),
     ),
     help,
+    speak,
   });
   const leave = () => tasks.element.querySelector<HTMLElement>('[aria-selected=true]')?.focus();
   masthead.append(files.element);
@@ -75,7 +83,7 @@ export function page(app: App, root: HTMLElement, scope: Scope, photograph: Phot
     masthead,
     h(
       'section',
-      { class: 'task-line', 'aria-label': 'Task and messages' },
+      { class: 'task-line', 'aria-label': t('Task and messages') },
       tasks.element,
       h('div', { class: 'messages' }, messageLine(app, 'error', leave), messageLine(app, 'report', leave)),
       deltaToggle(app),
@@ -115,12 +123,12 @@ export function page(app: App, root: HTMLElement, scope: Scope, photograph: Phot
 /** Where there is room for three views. */
 function deltaToggle(app: App): HTMLElement {
   const element = button(
-    'Δ Difference',
+    t('Δ Difference'),
     () => {
       const { delta } = app.state.get();
       app.state.set({ delta: { ...delta, open: !delta.open } });
     },
-    { class: 'delta-toggle', 'data-action': 'delta', title: 'What tells B from A, in a third view' },
+    { class: 'delta-toggle', 'data-action': 'delta', title: t('What tells B from A, in a third view') },
   );
   app.state.watch(
     (state) => [state.delta.open],
@@ -140,7 +148,7 @@ function sideSwitch(app: App): HTMLElement {
       ' ',
       number,
     );
-    if (view === 'delta') element.setAttribute('aria-label', 'Difference of A and B');
+    if (view === 'delta') element.setAttribute('aria-label', t('Difference of A and B'));
     else
       app.results.watch(
         (results) => [results[view].weights],
@@ -149,7 +157,9 @@ function sideSwitch(app: App): HTMLElement {
           put(number, negative === null ? '–' : count(negative), negative);
           element.setAttribute(
             'aria-label',
-            `Side ${view.toUpperCase()}, ${negative ?? 'unknown number of'} negative weights`,
+            negative === null
+              ? t('Side {side}, unknown number of negative weights', { side: view.toUpperCase() })
+              : t('Side {side}, {count} negative weights', { side: view.toUpperCase(), count: negative }),
           );
         },
       );
@@ -159,5 +169,5 @@ function sideSwitch(app: App): HTMLElement {
     );
     return element;
   });
-  return h('div', { class: 'side-switch', role: 'group', 'aria-label': 'View shown' }, ...buttons);
+  return h('div', { class: 'side-switch', role: 'group', 'aria-label': t('View shown') }, ...buttons);
 }

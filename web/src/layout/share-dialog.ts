@@ -4,7 +4,7 @@ import { count } from '../format.js';
 import { ownAddress } from '../place.js';
 import { linkOf } from '../share.js';
 import { nameOf } from '../state.js';
-import { t, word } from '../words.js';
+import { language, t, word } from '../words.js';
 import { button } from './controls.js';
 
 /** The link to what is on screen. */
@@ -49,7 +49,8 @@ export function shareDialog(app: App): { element: HTMLDialogElement; open: () =>
     const file = source.kind === 'file' ? (app.meshes.contents(source.file) ?? null) : null;
     const { hash, withoutFile } = await linkOf(app.state.get(), file);
     const address = ownAddress();
-    link.value = (address ?? '') + hash;
+    // Whoever opens it reads it in the language that it was shared in.
+    link.value = (address ?? '') + (address !== null && language() !== 'en' ? `?lang=${language()}` : '') + hash;
     const what = withoutFile
       ? t('{name} is too large for a link: whoever opens the link is asked for the file. Nothing is uploaded.', {
           name: nameOf({ ...source, changes: [] }),
