@@ -1,7 +1,10 @@
 /** Messages that were composed in English, read by patterns and written again in another language. */
 
-/** English and the other language, with the same placeholders: `{x}` stands for any text, `{*x}` for one that must have words of its own. */
-type Pattern = readonly [string, string];
+/**
+ * English and the other language. `{x}` stands for any text, `{#x}` for a number, there `{x}` again, and `{*x}` for a part that must have words of its
+ * own.
+ */
+export type Pattern = readonly [string, string];
 
 /**
  * The first pattern that fits counts. A message whose parts cannot all be said stays whole as it is: no sentence is in two languages.
@@ -18,27 +21,32 @@ export function reader(
   const read = (message: string): string | null => {
     const whole = texts[message];
     if (whole !== undefined) return whole;
-    for (const { form, names, other } of rules) {
+    for (const { form, kinds, other } of rules) {
       const found = form.exec(message);
-      const values = found && names.map((name, k) => said(name, found[k + 1] ?? ''));
-      if (values?.every((value) => value !== null))
-        return names.reduce((text, name, k) => text.replaceAll(`{${name}}`, () => values[k] as string), other);
+      const values = found && kinds.map((kind, k) => said(kind, found[k + 1] ?? ''));
+      if (!values?.every((value) => value !== null)) continue;
+      return kinds.reduce(
+        (text, kind, k) => text.replaceAll(`{${kind.replace('#', '')}}`, () => `${values[k]}`),
+        other,
+      );
     }
     return null;
   };
-  const said = (name: string, value: string) =>
-    name.startsWith('*') ? read(value) : isNumber.test(value) ? number(value) : value;
+  const said = (kind: string, value: string) => {
+    if (kind.startsWith('*')) return read(value);
+    return kind.startsWith('#') ? number(value) : value;
+  };
   return read;
 }
 
-const isNumber = /^[-−+]?\d+(\.\d+)?(e[-−+]?\d+)?$/;
+const aNumber = '([-+−]?(?:\\d[\\d.]*(?:e[-+]?\\d+)?|inf|nan))';
 
 function rule(english: string, other: string) {
-  const names: string[] = [];
-  const pieces = english.split(/\{(\*?\w+)\}/).map((piece, k) => {
+  const kinds: string[] = [];
+  const pieces = english.split(/\{([*#]?\w+)\}/).map((piece, k) => {
     if (k % 2 === 0) return piece.replace(/[.*+?^${}()|[\]\\]/g, '\\$&');
-    names.push(piece);
-    return '(.+?)';
+    kinds.push(piece);
+    return piece.startsWith('#') ? aNumber : '(.+?)';
   });
-  return { form: new RegExp(`^${pieces.join('')}$`, 's'), names, other };
+  return { form: new RegExp(`^${pieces.join('')}$`, 's'), kinds, other };
 }
