@@ -103,15 +103,13 @@ export interface Visit {
   close: () => Promise<void>;
 }
 
-/** Opens the page, or a link to it, and waits for its first numbers. */
-export async function visit(site: Site, options: BrowserContextOptions = {}, link = site.url): Promise<Visit> {
-  const visited = await open(site, link, options);
-  await settled(visited.page);
-  return visited;
-}
-
-/** Opens any page of the site, and listens. */
-export async function open(site: Site, link: string, options: BrowserContextOptions = {}): Promise<Visit> {
+/** Opens any page of the site, and listens. @param first runs in the page before anything of its own does */
+export async function open(
+  site: Site,
+  link: string,
+  options: BrowserContextOptions = {},
+  first?: () => void,
+): Promise<Visit> {
   const context = await site.browser.newContext({
     viewport: { width: 1440, height: 900 },
     reducedMotion: 'reduce',
@@ -136,8 +134,16 @@ export async function open(site: Site, link: string, options: BrowserContextOpti
     if (request.url().startsWith(site.url)) requests.add(request.url());
     else if (!/^(data|blob):/.test(request.url())) troubles.push(`left the site: ${request.url()}`);
   });
+  if (first) await page.addInitScript(first);
   await page.goto(link);
   return { page, troubles, requests, close: () => context.close() };
+}
+
+/** Opens the full page, or a link to it, and waits for its first numbers. */
+export async function visit(site: Site, options: BrowserContextOptions = {}, link = site.url): Promise<Visit> {
+  const opened = await open(site, link, options);
+  await settled(opened.page);
+  return opened;
 }
 
 /** A site for the tests of a file: there before the first, closed after the last. */
