@@ -47,7 +47,7 @@ export interface Wish {
   loading: Loading;
   poster: string | null;
   alt: string | null;
-  /** The id of a figure that is not a state of the page; whoever has figures knows whether it is one of them. */
+  /** The id of a figure that is no entry of the gallery. */
   figure: string | null;
   /** Of a mesh that the host has. */
   address: string | null;
@@ -96,11 +96,15 @@ const parametersOf = (query: URLSearchParams) =>
 /** Of an element: it leaves the page that it is on as it is. */
 const usually: Settings = { controls: 'some', views: 'both', keys: 'capture', wheel: 'scroll', touch: 'scroll' };
 
-/**
- * @param get the value of a name; null where it is not given
- * @param usual what holds where nothing is given
- */
-export function readWish(get: (name: Name) => string | null, usual: Settings = usually): Wish {
+interface Place {
+  /** What holds where nothing is given. */
+  usual?: Settings;
+  /** The figures that can be shown there, beside the entries of the gallery. */
+  figures?: readonly string[];
+}
+
+/** @param get the value of a name; null where it is not given */
+export function readWish(get: (name: Name) => string | null, { usual = usually, figures = [] }: Place = {}): Wish {
   const problems: string[] = [];
   const given = (name: Name) => get(name)?.trim() || null;
   const choose = <T extends string>(name: Name, allowed: readonly T[]): T | null => {
@@ -124,8 +128,13 @@ export function readWish(get: (name: Name) => string | null, usual: Settings = u
   if (autoplay !== wanted)
     problems.push(`autoplay is a number of steps up to ${mostAutoplay}, not “${get('autoplay')}”.`);
 
-  const figure = given('figure');
-  const entry = entries.find(({ id }) => id === figure);
+  const asked = given('figure');
+  const figure = asked !== null && figures.includes(asked) ? asked : null;
+  const entry = figure ? undefined : entries.find(({ id }) => id === asked?.replace(/^gallery:/, ''));
+  if (asked !== null && !figure && !entry) {
+    const there = [...new Set([...figures, ...entries.map(({ id }) => id)])];
+    problems.push(`There is no figure “${asked}”. There are ${list(there)}.`);
+  }
   const mesh = given('mesh');
   const address = mesh !== null && sourceOf(mesh) === null && looksLikeFile(mesh) ? mesh : null;
 
@@ -135,7 +144,7 @@ export function readWish(get: (name: Name) => string | null, usual: Settings = u
       if (mesh === null || address !== null) return state;
       const source = sourceOf(mesh);
       if (source) return { ...state, ...forAnotherMesh(state), source };
-      const there = list([...presets, ...shapes].map(({ id }) => id));
+      const there = list([...new Set([...presets, ...shapes].map(({ id }) => id))]);
       throw new Error(
         `There is no mesh “${mesh}”. There are ${there}; a file is known by its address, which has a / or ends in .obj, .off, .ply or .stl.`,
       );
@@ -164,7 +173,7 @@ export function readWish(get: (name: Name) => string | null, usual: Settings = u
     loading: choose('loading', loadings) ?? 'lazy',
     poster: given('poster'),
     alt: given('alt'),
-    figure: entry ? null : figure,
+    figure,
     address,
     apply: (state, changed) => changed.filter((name) => possible.includes(name)).reduce(put, state),
     problems,

@@ -6,6 +6,7 @@ import { History } from './history.js';
 import { Meshes } from './meshes.js';
 import { describe, explain, reportOf } from './messages.js';
 import { sameMoves } from './moves.js';
+import { ownAddress } from './place.js';
 import type { Client, Mesh, Side } from './polylap.js';
 import { noResults, type Place, type Results, type SideResults } from './results.js';
 import { readLink } from './share.js';
@@ -30,6 +31,8 @@ export class App {
   private deaf = () => {};
   private closed = false;
 
+  /** Of the page that opens links; null where there is none to be known. */
+  address: () => string | null = ownAddress;
   /** The vertex that faces the eye; the viewer tells. */
   front: () => number = () => 0;
 

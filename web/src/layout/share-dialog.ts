@@ -1,7 +1,6 @@
 import type { App } from '../app.js';
 import { h } from '../dom.js';
 import { count } from '../format.js';
-import { ownAddress } from '../place.js';
 import { linkOf } from '../share.js';
 import { nameOf } from '../state.js';
 import { language, t, word } from '../words.js';
@@ -48,7 +47,7 @@ export function shareDialog(app: App): { element: HTMLDialogElement; open: () =>
     const { source } = app.state.get();
     const file = source.kind === 'file' ? (app.meshes.contents(source.file) ?? null) : null;
     const { hash, withoutFile } = await linkOf(app.state.get(), file);
-    const address = ownAddress();
+    const address = app.address();
     // Whoever opens it reads it in the language that it was shared in.
     link.value = (address ?? '') + (address !== null && language() !== 'en' ? `?lang=${language()}` : '') + hash;
     const what = withoutFile

@@ -64,6 +64,9 @@ void main() {
   gl_Position = projectionMatrix * eye;
 }`;
 
+/** Where light comes from, as the eye sees it. */
+export const lightFrom = [-0.55, 0.75, 0.5] as const;
+
 /** Of the lines that hatch, horizontally and in CSS pixels. */
 const hatchPeriod = 8;
 
@@ -108,7 +111,7 @@ float hatch(vec4 w) {
 void main() {
   vec3 n = normalize(vNormal);
   if (dot(n, vEye) > 0.0) n = -n;
-  float light = 0.5 + 0.5 * dot(n, normalize(vec3(-0.55, 0.75, 0.5)));
+  float light = 0.5 + 0.5 * dot(n, normalize(vec3(${lightFrom})));
   vec3 surface = mix(mix(shade, lit, light * light), card, faded);
   vec3 drawnEdge = edge;
   if (max(vValues.x, max(vValues.y, vValues.z)) < ${everything.toExponential(1)}) {

@@ -17,7 +17,8 @@ import { photograph } from './photograph.js';
 import { type Aim, type Meant, meant, meantPoint } from './pick.js';
 import { hidden } from './ray.js';
 import { Retired } from './retired.js';
-import type { Interval, Surface } from './surface.js';
+import { type Seen, seenBy } from './seen.js';
+import type { Colours, Interval, Surface } from './surface.js';
 
 interface Hooks {
   afterFrame(): void;
@@ -238,9 +239,13 @@ export class Viewer {
 
   /** Reads the colours anew, after the theme changed. */
   recolour(): void {
-    const colours = readColours(this.canvas.parentElement ?? document.body);
+    const colours = this.colours();
     for (const view of views) this.shown?.[view].recolour(colours);
     this.request();
+  }
+
+  private colours(): Colours {
+    return readColours(this.canvas.parentElement ?? document.body);
   }
 
   // --- vertices and pixels ------------------------------------------------------------------------------------------------
@@ -259,6 +264,15 @@ export class Viewer {
       Math.abs(screen.y) <= 1 &&
       !hidden(eye, vertex, shown.surface.points, this.geometry.triangles);
     return { x: box.x + ((screen.x + 1) / 2) * box.width, y: box.y + ((1 - screen.y) / 2) * box.height, visible };
+  }
+
+  /** What there is to see in a view, for drawing it elsewhere; null where it is not on screen. */
+  seen(view: View): Seen | null {
+    const shown = this.shown?.[view];
+    const box = this.places[view].getBoundingClientRect();
+    if (!shown || box.width === 0 || box.height === 0) return null;
+    this.aim(box);
+    return seenBy(this.camera.camera, shown, box, this.colours());
   }
 
   /** The length that a pixel of a view covers where a vertex is. */
