@@ -146,7 +146,8 @@ export class Viewer {
     const { renderer } = this;
     this.renderer = null;
     renderer?.dispose();
-    renderer?.forceContextLoss();
+    // It may be lost already.
+    if (!renderer?.getContext().isContextLost()) renderer?.forceContextLoss();
   }
 
   // --- what is shown ------------------------------------------------------------------------------------------------------
