@@ -65,8 +65,7 @@ export const buildGallery = () => run(process.execPath, [join(root, 'web/gallery
 export async function buildSite() {
   await buildGallery();
   await runTool('vite', ['build', 'web']);
-  await run(process.execPath, [join(root, 'web/pages.mjs')]);
-  await run(process.execPath, [join(root, 'web/embed/build.mjs')]);
+  await Promise.all(['web/pages.mjs', 'web/embed/build.mjs'].map((path) => run(process.execPath, [join(root, path)])));
 }
 
 /** What `npm pack` packs: the TypeScript of wasm/src as modules with types, in build/npm. Needs the wasm preset. */

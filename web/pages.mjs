@@ -2,6 +2,7 @@
 // packages.
 import { mkdir, writeFile } from 'node:fs/promises';
 import { bundle, inNode, meshPicture, pictureStyle } from './light.mjs';
+import { site } from './site.mjs';
 import { thesisFiles } from './thesis/build.mjs';
 
 const dist = new URL('../dist/', import.meta.url);
@@ -11,7 +12,7 @@ const files = await inNode(async ({ load, client }) => {
   const { figureFiles } = await load('figures/render.ts');
   const picture = (figure, settings) => meshPicture(client, figure.state(settings), { load });
   return new Map([
-    ...(await figureFiles(client, { ...filesOf('figures/page.ts'), style, picture })),
+    ...(await figureFiles(client, { ...filesOf('figures/page.ts'), style, picture, site })),
     ...(await thesisFiles({ load, client, filesOf, picture })),
   ]);
 });

@@ -10,13 +10,15 @@ await runMain(async () => {
   const port = Number(values.port ?? process.env.PORT ?? 4173);
   if (!Number.isInteger(port) || port < 1 || port > 65535)
     throw new Error(`no port: ${values.port ?? process.env.PORT}`);
+  const host = values.host ?? 'localhost';
+  process.env.POLYLAP_SITE ??= `http://${host.includes(':') ? `[${host}]` : host}:${port}/`;
   await ensurePackages('wasm');
   await ensureModules();
   await build('wasm');
   await (values.dev ? buildGallery() : buildSite());
 
   const vite = await import('vite');
-  const options = { port, host: values.host ?? 'localhost' };
+  const options = { port, host };
   const inline = {
     root: join(root, 'web'),
     configFile: join(root, 'web/vite.config.mjs'),

@@ -1,32 +1,64 @@
 // Builds what is embedded and what is carried about, into dist/ beside the page:  node web/embed/build.mjs
-import { writeFile } from 'node:fs/promises';
-import { join } from 'node:path';
+import { mkdir, writeFile } from 'node:fs/promises';
+import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
 import { viteSingleFile } from 'vite-plugin-singlefile';
+import { figureWords } from '../figures/words.mjs';
+import { inNode, meshPicture } from '../light.mjs';
+import { isPublished, site } from '../site.mjs';
 import { threeParts } from '../three-parts.mjs';
 import { target } from '../vite.config.mjs';
-import { inlined, inlinedParts, sealed } from './inlined.mjs';
+import { inlined, inlinedParts, sealedPage } from './inlined.mjs';
+import { offlineFiles } from './offline.mjs';
 
 const web = fileURLToPath(new URL('..', import.meta.url));
 const dist = join(web, '../dist');
-const parts = await inlinedParts();
+async function write(name, text) {
+  const file = join(dist, name);
+  await mkdir(dirname(file), { recursive: true });
+  await writeFile(file, text);
+}
 
-/** @returns the text of one of the files that are built */
-const take = (built, ending) => {
-  const files = built.output.filter(({ fileName }) => fileName.endsWith(ending));
-  if (built.output.length !== 1 || files.length !== 1)
-    throw new Error(`not one file: ${built.output.map(({ fileName }) => fileName)}`);
-  return files[0].source ?? files[0].code;
-};
+/** @returns the texts of what is built, by their extensions */
+async function built({ plugins = [], ...rest }) {
+  const results = await build({
+    configFile: false,
+    root: web,
+    publicDir: false,
+    logLevel: 'warn',
+    plugins: [threeParts(), figureWords(), ...plugins],
+    build: { target, write: false, modulePreload: false, ...rest },
+  });
+  const { output } = Array.isArray(results) ? results[0] : results;
+  const texts = output.map((file) => [file.fileName.replace(/.*\./, ''), file.source ?? file.code]);
+  const kinds = new Map(texts);
+  if (kinds.size < texts.length) throw new Error(`not one file: ${output.map(({ fileName }) => fileName).join(', ')}`);
+  return Object.fromEntries(kinds);
+}
 
-/** The page as one file. */
-const page = await build({
-  configFile: false,
-  root: web,
-  publicDir: false,
-  logLevel: 'warn',
-  plugins: [threeParts(), inlined(parts), viteSingleFile()],
-  build: { target, write: false, modulePreload: false },
-});
-await writeFile(join(dist, 'polylap.html'), sealed(take(page, '.html')));
+/** A script that works as a module and without being one. */
+const script = (entry, plugins) =>
+  built({
+    plugins,
+    lib: { entry: join(web, entry), formats: ['iife'], name: 'polylap' },
+    rolldownOptions: { output: { codeSplitting: false } },
+  });
+
+async function offline(plugins) {
+  // Whoever takes the site along has the whole page beside the figures.
+  const fullPage = isPublished ? site.href : '../polylap.html';
+  const { js, css } = await script('embed/offline.ts', plugins);
+  const files = await inNode((node) => {
+    const picture = (figure, settings) => meshPicture(node.client, figure.state(settings), node);
+    return offlineFiles(node, { script: js, style: css, picture, fullPage });
+  });
+  for (const [id, text] of files) await write(`offline/${id}.html`, text);
+}
+
+const carry = inlined(await inlinedParts());
+await Promise.all([
+  built({ plugins: [carry, viteSingleFile()] }).then(({ html }) => write('polylap.html', sealedPage(html))),
+  script('embed/host.ts').then(({ js }) => write('polylap-frame.js', js)),
+  offline([carry]),
+]);

@@ -112,17 +112,17 @@ const policyOf = (scripts, styles) =>
     "form-action 'none'",
   ].join('; ');
 
-/** Packs the script of a page that vite-plugin-singlefile has made, and gives the page its policy. */
-export function sealed(html) {
+/**
+ * A file that carries its script, packed, and its policy.
+ * @param html without a script, its styles inline
+ */
+export function sealed(html, script) {
   // What a parser makes of line ends would change the hashes.
   if (html.includes('\r')) throw new Error('a file with a policy has plain line ends');
-  const scripts = [...html.matchAll(/<script\b[^>]*>([\s\S]*?)<\/script>/g)];
+  if (/<script/i.test(html)) throw new Error('a file with a policy has no other script');
   const styles = [...html.matchAll(/<style\b[^>]*>([\s\S]*?)<\/style>/g)].map(([, text]) => text);
-  if (scripts.length !== 1) throw new Error(`one script is to be packed, not ${scripts.length}`);
-  const [[element, script]] = scripts;
   const policy = policyOf([starter, script], styles);
   return html
-    .replace(element, '')
     .replace(
       /<meta charset="[^"]*" ?\/?>/,
       (charset) => `${charset}\n<meta http-equiv="Content-Security-Policy" content="${policy}">`,
@@ -131,4 +131,12 @@ export function sealed(html) {
       '</body>',
       () => `<script type="text/plain" id="packed">${pack(script)}</script>\n<script>${starter}</script>\n</body>`,
     );
+}
+
+/** What vite-plugin-singlefile has made, sealed. */
+export function sealedPage(html) {
+  const scripts = [...html.matchAll(/<script\b[^>]*>([\s\S]*?)<\/script>/g)];
+  if (scripts.length !== 1) throw new Error(`one script is to be packed, not ${scripts.length}`);
+  const [[element, script]] = scripts;
+  return sealed(html.replace(element, ''), script);
 }

@@ -3,6 +3,7 @@ import type { Client } from '../src/polylap.js';
 import { type Figure, initialSettings, type Settings } from './figure.js';
 import { ids, load } from './list.js';
 import { figureHtml, type Shown, textHtml } from './markup.js';
+import { oembed, oembedPath } from './oembed.js';
 import { posterSvg } from './poster.js';
 import { render } from './show.js';
 import { escapeText, tag } from './svg.js';
@@ -66,11 +67,13 @@ export interface Frame {
   other: string;
   scripts: readonly string[];
   styles: readonly string[];
+  /** Address of its oEmbed. */
+  oembed?: string;
 }
 
 /** A whole page of the site with its first line. @param body what stands in main */
 export async function pageHtml(frame: Frame, body: string): Promise<string> {
-  const { up, lang, title, description, other, scripts, styles } = frame;
+  const { up, lang, title, description, other, scripts, styles, oembed: data } = frame;
   const otherLang = languages.find((one) => one !== lang) as Lang;
   const say = sayer((await load(ids[0], lang)).shared);
   const list = lang === 'en' ? 'figures/index.html' : 'figures/de/index.html';
@@ -84,7 +87,7 @@ export async function pageHtml(frame: Frame, body: string): Promise<string> {
 <meta name="description" content="${escapeText(description)}">
 <link rel="icon" href="data:,">
 <link rel="alternate" hreflang="${otherLang}" href="${other}">
-${styles.map((file) => tag('link', { rel: 'stylesheet', href: up + file })).join('\n')}
+${data ? `${tag('link', { rel: 'alternate', type: 'application/json+oembed', href: data, title })}\n` : ''}${styles.map((file) => tag('link', { rel: 'stylesheet', href: up + file })).join('\n')}
 ${scripts.map((file) => tag('script', { type: 'module', src: up + file }, '')).join('\n')}
 </head>
 <body>
@@ -100,8 +103,9 @@ ${body}
 /** Paths in the site → text: the pages of all figures in all languages, their posters, their lists. */
 export async function figureFiles(
   client: Client,
-  { scripts, styles, style, picture }: Pick<Frame, 'scripts' | 'styles'> & Pick<RenderOptions, 'style' | 'picture'>,
+  options: Pick<Frame, 'scripts' | 'styles'> & Pick<RenderOptions, 'style' | 'picture'> & { site: URL },
 ): Promise<Map<string, string>> {
+  const { scripts, styles, style, picture, site } = options;
   const files = new Map<string, string>();
   for (const lang of languages) {
     const [folder, up] = lang === 'en' ? ['figures/', '../'] : [`figures/${lang}/`, '../../'];
@@ -137,7 +141,9 @@ export async function figureFiles(
         title: figure.title,
         description: figure.alt,
         other: `${sideways}${id}.html`,
+        oembed: new URL(oembedPath(id, lang), site).href,
       };
+      files.set(oembedPath(id, lang), oembed(figure, new URL(`${folder}${id}.html`, site), site));
       files.set(`${folder}${id}.html`, await pageHtml(frame, body));
       if (lang === 'en') files.set(`figures/${id}.svg`, figure.poster);
       const poster = tag('img', { src: `${up}figures/${id}.svg`, alt: '', loading: 'lazy' });

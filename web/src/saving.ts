@@ -15,11 +15,13 @@ export function save({ name, contents }: SavedFile): void {
 
 const styled = [
   'fill',
+  'fill-opacity',
   'stroke',
   'stroke-width',
   'stroke-dasharray',
   'stroke-linecap',
   'stroke-linejoin',
+  'paint-order',
   'font',
   'text-anchor',
 ];
