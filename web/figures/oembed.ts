@@ -3,18 +3,31 @@ import type { Rendered } from './render.js';
 import { tag } from './svg.js';
 import type { Lang } from './words.js';
 
-/** Of a frame, in px; it tells the page around what it really takes. */
+/** Of a frame, in px. */
 const width = 720;
-/** What controls, numbers and caption take, at most. */
-const below = 420;
+
+/** As figure.css lays it out in a frame of that width, or a little more; the frame tells the page around what it really takes. */
+function heightOf({ html, poster }: Rendered): number {
+  const count = (pattern: RegExp) => html.match(pattern)?.length ?? 0;
+  const [, drawn = 1, tall = 0] = (poster.match(/viewBox="0 0 ([\d.]+) ([\d.]+)"/) ?? []).map(Number);
+  // See poster.ts.
+  const pictures = Math.max(1, (poster.match(/<svg x=/g) ?? []).length);
+  const aspect = (tall - 32) / ((drawn - 32 - 24 * (pictures - 1)) / pictures);
+  const drawing = pictures === 1 ? 600 * aspect : Math.ceil(pictures / 2) * (330 * aspect + 12);
+  const controls = 55 + 36 * Math.min(1, Math.floor(count(/<label class="slider"|<fieldset/g) / 2));
+  const readings = 31 * Math.ceil(count(/<dt>/g) / 2);
+  const caption = html.replace(/^[\s\S]*<figcaption>/, '').replace(/<[^>]*>/g, '');
+  return Math.ceil(drawing + controls + readings + 30 + 23 * Math.ceil(caption.length / 82) + 112);
+}
 
 /** In the site. */
 export const oembedPath = (id: string, lang: Lang): string => `oembed/${lang === 'en' ? '' : `${lang}/`}${id}.json`;
 
 /** @param page address of the figure's page @param site where the site is */
-export function oembed({ id, title, poster }: Rendered, page: URL, site: URL): string {
+export function oembed(figure: Rendered, page: URL, site: URL): string {
+  const { id, title, poster } = figure;
   const [, drawn = 0, tall = 0] = (poster.match(/viewBox="0 0 ([\d.]+) ([\d.]+)"/) ?? []).map(Number);
-  const height = Math.ceil(tall * Math.min(1, width / drawn)) + below;
+  const height = heightOf(figure);
   const src = new URL('?embed', page).href;
   return JSON.stringify({
     type: 'rich',
