@@ -3,12 +3,15 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { Client } from '../../wasm/src/index.js';
 import { createClient } from '../../wasm/src/node.js';
 import * as circumcentric from '../../web/figures/circumcentric-dual/compute.js';
+import { figure as circumcentricDual } from '../../web/figures/circumcentric-dual/figure.js';
 import * as dirichlet from '../../web/figures/dirichlet-energy/compute.js';
-import type { Point } from '../../web/figures/figure.js';
+import { figure as mappedTriangle } from '../../web/figures/dirichlet-energy/figure.js';
+import type { Figure, Handle, Point, Settings } from '../../web/figures/figure.js';
 import * as orthogonal from '../../web/figures/orthogonal-dual/compute.js';
 import { meshes, sideOf } from '../../web/figures/orthogonal-dual/quads.js';
 import { dot, length, minus, plus, signedArea, type Triangle } from '../../web/figures/plane.js';
 import * as power from '../../web/figures/power-weights/compute.js';
+import { figure as powerWeights } from '../../web/figures/power-weights/figure.js';
 
 let client: Client;
 beforeAll(async () => {
@@ -213,6 +216,37 @@ describe('Dirichlet energy', () => {
           expect(dirichlet.excess(data)).toBeCloseTo(0, 12);
           expect(data.stretches[0] / data.stretches[1]).toBeCloseTo(1, 7);
         }
+      }
+    }
+  });
+});
+
+describe('what handles allow', () => {
+  /** The corners of the region of each handle, in all combinations. */
+  const extremes = (handles: readonly Handle[]): Settings[] =>
+    handles.reduce<Settings[]>(
+      (all, { id, min, max }) =>
+        all.flatMap((one) =>
+          [min, [max[0], min[1]] as const, max, [min[0], max[1]] as const].map((place) => ({ ...one, [id]: place })),
+        ),
+      [{}],
+    );
+  const handlesOf = ({ controls }: Figure, ids: readonly string[]) =>
+    controls.filter((control): control is Handle => control.kind === 'handle' && ids.includes(control.id));
+
+  // An area is linear in each coordinate: its extremes are at those of the corners.
+  it.each([
+    ['dirichlet-energy', mappedTriangle, ['a', 'b', 'c'], dirichlet.meshOf],
+    ['power-weights', powerWeights, ['middle'], power.meshOf],
+    ['circumcentric-dual', circumcentricDual, ['left', 'right'], circumcentric.meshOf],
+  ] as const)('leaves all triangles of %s counter-clockwise', (_, figure, ids, meshOf) => {
+    const all = extremes(handlesOf(figure, ids));
+    expect(all).toHaveLength(4 ** ids.length);
+    for (const settings of all) {
+      const { points, faces } = meshOf(settings);
+      for (const face of faces) {
+        const [a, b, c] = face.map((v) => points[v]) as unknown as Triangle;
+        expect(signedArea(a, b, c)).toBeGreaterThan(0.04);
       }
     }
   });

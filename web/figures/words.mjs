@@ -12,13 +12,20 @@ const escapeText = (text) =>
 export const mathml = (latex, displayMode = false) =>
   temml.renderToString(latex, { displayMode, throwOnError: true }).replaceAll(/ style="[^"]*"/g, '');
 
+/** A formula with the point after it, which would begin the next line otherwise. */
+function inline(part) {
+  const end = part.lastIndexOf('$');
+  const [formula, after] = [mathml(part.slice(1, end)), part.slice(end + 1)];
+  return after ? `<span class="joined">${formula}${after}</span>` : formula;
+}
+
 /** @param text with $…$, $$…$$, *…* and […](…) */
 export function html(text) {
   return text
-    .split(/(\$\$[^$]+\$\$|\$[^$]+\$)/)
+    .split(/(\$\$[^$]+\$\$|\$[^$]+\$[.,:;!?)]*)/)
     .map((part) => {
       if (part.startsWith('$$')) return mathml(part.slice(2, -2), true);
-      if (part.startsWith('$')) return mathml(part.slice(1, -1));
+      if (part.startsWith('$')) return inline(part);
       return escapeText(part)
         .replaceAll(/\*([^*]+)\*/g, '<em>$1</em>')
         .replaceAll(/\[([^\]]+)\]\(([^)\s]+)\)/g, '<a href="$2">$1</a>');

@@ -12,7 +12,7 @@ const left: Handle = {
   id: 'left',
   initial: [-1.5, 0.3],
   step: 0.05,
-  min: [-2.1, -1.3],
+  min: [-1.8, -1.3],
   max: [-0.3, 1.3],
 };
 const right: Handle = {
@@ -21,10 +21,13 @@ const right: Handle = {
   initial: [1.2, -0.2],
   step: 0.05,
   min: [0.3, -1.3],
-  max: [2.1, 1.3],
+  max: [1.8, 1.3],
 };
 
-const view = plane({ x: [-2.35, 2.35], y: [-1.5, 1.5], width: 400, margin: 4 });
+const view = plane({ x: [-2.1, 2.1], y: [-1.6, 1.6], width: 380, margin: 4 });
+
+/** So that a label stays in the picture. */
+const within = (place: number, size: number) => Math.min(size - 12, Math.max(12, place));
 
 function draw(data: Data, settings: Settings, say: Say): string {
   const [bottom, top, ...apexes] = data.mesh.points.map(view.at) as [Point, Point, Point, Point];
@@ -33,9 +36,10 @@ function draw(data: Data, settings: Settings, say: Say): string {
   const middle = between(bottom, top, 0.5);
   const star = between(...centres, 0.5);
   const bad = negative ? ' bad' : '';
-  const angles = apexes.map((apex, k) => {
-    const name = text(plus(apex, bisector(apex, bottom, top), -26), k === 0 ? 'γ' : 'γ′', 'variable halo');
-    return arc(apex, bottom, top, 28, 'edge') + name;
+  const gammas = apexes.map((apex, k) => {
+    const [x, y] = plus(apex, bisector(apex, bottom, top), -26);
+    const place: Point = [within(x, view.width), within(y, view.height)];
+    return text(place, k === 0 ? 'γ' : 'γ′', 'variable halo');
   });
   return svg(
     view.width,
@@ -46,12 +50,13 @@ function draw(data: Data, settings: Settings, say: Say): string {
       ...apexes.map((apex) => polygon([bottom, top, apex], 'face') + polyline([bottom, apex, top], 'edge')),
     ),
     group('radii', ...centres.map((centre) => line(centre, top, 'dotted'))),
-    group('angles', ...angles),
+    group('angles', ...apexes.map((apex) => arc(apex, bottom, top, 28, 'edge'))),
     line(bottom, top, 'thick'),
     line(...centres, negative ? 'edge-negative' : 'dual'),
     group('marks', rightAngle(middle, [0, -1], [1, 0], 9)),
     group('centres', ...centres.map((centre) => circle(centre, 4, 'point-accent'))),
     group('ends', circle(bottom, 4, 'point'), circle(top, 4, 'point')),
+    group('gammas', ...gammas),
     markup(plus(bottom, [0, 16]), indexed('x', 'i'), 'halo'),
     markup(plus(top, [0, -16]), indexed('x', 'j'), 'halo'),
     text(plus(between(bottom, top, 0.16), [12, 0]), 'e', 'variable halo'),

@@ -2,7 +2,7 @@ import { withWeight } from '../../src/state.js';
 import { choice, stateWith } from '../common.js';
 import { type Choice, drawn, type Handle, type Point, type Say, type Settings, type Slider } from '../figure.js';
 import { objOf } from '../flat.js';
-import { length, minus, plus, signedArea, unit } from '../plane.js';
+import { length, minus, plus, unit } from '../plane.js';
 import { circle, fixed, group, handle, line, plane, polygon, svg, text } from '../svg.js';
 import { compute, type Data, isNegative, meshOf, read } from './compute.js';
 
@@ -34,19 +34,17 @@ function draw({ mesh, omega: weight, centres, edges }: Data, settings: Settings,
   // The triangles around the middle, in order.
   const around = mesh.faces.flatMap((face, f) => (face[0] === 0 ? [f] : []));
   const cell = around.map((f) => centre[f] as Point);
-  // Their corners run the other way round in a picture, whose y points down.
-  const area = cell.reduce((sum, c, k) => sum - signedArea(at(0), c, cell[(k + 1) % cell.length] as Point), 0);
+  const spokes = edges.filter(({ ends }) => ends[0] === 0);
   const radius = Math.sqrt(Math.abs(weight)) * view.scale;
   const own = radius > 0 ? circle(at(0), radius, weight < 0 ? 'edge-negative' : 'edge') : '';
   const orthogonal = around.map((f) => {
     const c = centre[f] as Point;
     return circle(c, length(minus(c, at(mesh.faces[f]?.[1] as number))), 'dotted');
   });
-  const spokes = edges.filter(({ ends }) => ends[0] === 0);
   return svg(
     view.width,
     view.height,
-    group('clip', polygon(cell, area < 0 ? 'face-bad' : 'face-accent')),
+    group('clip', polygon(cell, spokes.every(isNegative) ? 'face-bad' : 'face-accent')),
     group('mesh', ...mesh.faces.map((face) => polygon(face.map(at), 'thin'))),
     group('circles', ...(settings.circles === 'triangles' ? orthogonal : [])),
     group('powers', own),
