@@ -20,7 +20,13 @@ const menuValue = (source: Source) => (source.kind === 'preset' && !source.chang
 /** In its own words, for those who would not find it in others. */
 function languageButton(speak: (language: Language) => void): HTMLElement {
   const [other, name] = language() === 'en' ? (['de', 'Deutsch'] as const) : (['en', 'English'] as const);
-  return button(name, () => speak(other), { lang: other, class: 'quiet language', 'data-action': 'language' });
+  return button(other.toUpperCase(), () => speak(other), {
+    lang: other,
+    'aria-label': name,
+    title: name,
+    class: 'key',
+    'data-action': 'language',
+  });
 }
 
 export function header(
