@@ -2,19 +2,13 @@
 import './article.css';
 import { followLanguage } from '../figures/language.js';
 import { hydrateAll } from '../figures/mount.js';
+import { reachWide } from '../figures/wide.js';
 import type { TableWords } from './measured.js';
 
 followLanguage();
 hydrateAll();
 
-/** Formulas that are wider than the screen are scrolled with keys, too. */
-const widths = new ResizeObserver((entries) => {
-  for (const { target } of entries) {
-    if (target.scrollWidth > target.clientWidth) target.setAttribute('tabindex', '0');
-    else target.removeAttribute('tabindex');
-  }
-});
-for (const formula of document.querySelectorAll('.formula')) widths.observe(formula);
+reachWide(document.querySelectorAll('.formula'));
 
 for (const table of document.querySelectorAll<HTMLElement>('.measured')) measureIn(table);
 
