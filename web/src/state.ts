@@ -228,7 +228,7 @@ export function nameOf(source: Source, say: (english: string) => string = t): st
   return [originOf(source), ...changes].join(' · ');
 
   function originOf(origin: Source): string {
-    if (origin.kind === 'file') return origin.repaired ? `${origin.name} · ${say('repaired')}` : origin.name;
+    if (origin.kind === 'file') return origin.repaired ? `${origin.name} · ${say(word('repaired'))}` : origin.name;
     if (origin.kind === 'shape') return say(label(shapes, origin.shape.id));
     return say(presets.find(({ id }) => id === origin.id)?.label ?? origin.id);
   }
