@@ -17,6 +17,8 @@ export default defineConfig({
     emptyOutDir: false,
     target: ['chrome123', 'firefox121', 'safari17.5'],
     manifest: 'light.json',
-    rollupOptions: { input: { figures: file('figures/page.ts'), thesis: file('thesis/article.ts') } },
+    rollupOptions: {
+      input: { figures: file('figures/page.ts'), thesis: file('thesis/article.ts'), class: file('class/class.ts') },
+    },
   },
 });

@@ -1,6 +1,7 @@
-// Makes the light pages in dist/, beside the full page: figures and the article.  node web/pages.mjs  Needs the wasm preset, build/public and the node
-// packages.
+// Makes the light pages in dist/, beside the full page: figures, the article, and how to use them in class:  node web/pages.mjs  Needs the wasm preset,
+// build/public and the node packages.
 import { mkdir, writeFile } from 'node:fs/promises';
+import { classFiles } from './class/build.mjs';
 import { bundle, inNode, meshPicture, pictureStyle } from './light.mjs';
 import { site } from './site.mjs';
 import { thesisFiles } from './thesis/build.mjs';
@@ -14,6 +15,7 @@ const files = await inNode(async ({ load, client }) => {
   return new Map([
     ...(await figureFiles(client, { ...filesOf('figures/page.ts'), style, picture, site })),
     ...(await thesisFiles({ load, client, filesOf, picture })),
+    ...(await classFiles({ load, filesOf, site })),
   ]);
 });
 for (const [path, text] of files) {

@@ -101,7 +101,7 @@ export function convert(text, { say, blocks = {}, references = {} }) {
       level: 'block',
       start: (source) => source.match(/^::[a-z]/m)?.index,
       tokenizer(source) {
-        const [raw, name] = source.match(/^::([a-z][\w -]*)(?:\n|$)/) ?? [];
+        const [raw, name] = source.match(/^::([a-z][^\n]*)(?:\n|$)/) ?? [];
         return raw && { type: 'block', raw, block: name.trim() };
       },
       renderer: ({ block }) => `${wanted(blocks[block], `block ${block}`)}\n`,

@@ -1,0 +1,3 @@
+from IPython.display import IFrame
+
+IFrame("{{site}}figures/two-cuts.html?embed", width="100%", height=760)
