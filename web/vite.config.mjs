@@ -1,5 +1,6 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
+import { lightPages } from './light-dev.mjs';
 import { threeParts } from './three-parts.mjs';
 
 /** Has the browser fetch the core while it fetches the script that asks for it. */
@@ -25,7 +26,7 @@ export default defineConfig({
   base: './',
   // What web/gallery.mjs makes.
   publicDir: fileURLToPath(new URL('../build/public', import.meta.url)),
-  plugins: [threeParts(), earlyCore()],
+  plugins: [threeParts(), earlyCore(), lightPages()],
   worker: { format: 'es' },
   // The module and its wasm live beside web/.
   server: { fs: { allow: ['..'] } },
