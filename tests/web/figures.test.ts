@@ -227,6 +227,36 @@ describe.each(drawn)('%s, touched', (id) => {
   });
 });
 
+describe('under a finger', () => {
+  it('a handle moves and the page stays; beside it the page scrolls', async () => {
+    const options = { viewport: { width: 390, height: 500 }, hasTouch: true, isMobile: true };
+    const { page, troubles, close } = await open(site, address('two-cuts'), options);
+    const session = await page.context().newCDPSession(page);
+    const drag = async (x: number, from: number, to: number) => {
+      const send = (type: 'touchStart' | 'touchMove' | 'touchEnd', touchPoints: { x: number; y: number }[]) =>
+        session.send('Input.dispatchTouchEvent', { type, touchPoints });
+      await send('touchStart', [{ x, y: from }]);
+      for (let step = 1; step <= 6; step++) await send('touchMove', [{ x, y: from + ((to - from) * step) / 6 }]);
+      await send('touchEnd', []);
+    };
+    const grip = page.locator('[data-handle="corner-2"] .grip');
+    await grip.scrollIntoViewIfNeeded();
+    const scrolled = () => page.evaluate(() => scrollY);
+    const before = await scrolled();
+    const at = await middleOf(grip);
+    await changes(page, () => drag(at.x, at.y, at.y + 30));
+    expect(await scrolled()).toBe(before);
+    const now = await middleOf(grip);
+    expect(now.y - at.y).toBeGreaterThan(20);
+
+    const title = await middleOf(page.locator('.drawing'));
+    await drag(title.left + 4, 400, 250);
+    await expect.poll(scrolled).toBeGreaterThan(before + 50);
+    expect(troubles).toEqual([]);
+    await close();
+  });
+});
+
 describe('a figure that cannot be computed', () => {
   const [id] = ids;
 

@@ -152,7 +152,7 @@ function board({ values, kernel }: Data, settings: Settings, say: Say): string {
     height,
     text([0, 14], title, 'title', 'start'),
     text([width - 4, 16], String(kernel), kernel > 1 ? 'loud bad' : 'loud', 'end'),
-    text([width - 26, 16], say('draw.kernel'), 'small quiet', 'end'),
+    text([width - 30, 16], say('draw.kernel'), 'small quiet', 'end'),
     polygon([at(0, 0), at(nu, 0), at(nu, nv), at(0, nv)], 'face'),
     group('', ...lines),
     example.closed ? seams(at, nu, nv) : '',

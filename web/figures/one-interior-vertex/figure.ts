@@ -86,7 +86,7 @@ function weightOf({ weights }: Side, vertex: number) {
   return { value, text: fixed(value), bad: value < -rounding };
 }
 
-const [width, height] = [360, 340];
+const [width, height] = [360, 376];
 
 /** The four faces, what is pinned, the row of the middle, and its value on a scale. */
 function picture({ points, faces }: Data, side: Side, title: string, say: Say): string {
@@ -96,7 +96,7 @@ function picture({ points, faces }: Data, side: Side, title: string, say: Say): 
     y: [Math.min(...ys), Math.max(...ys)],
     width,
     height,
-    margin: [76, 92, 34, 34],
+    margin: [76, 92, 68, 34],
   });
   const at = points.map(frame.at);
   const place = (vertex: number): Point => at[vertex] ?? [0, 0];
@@ -124,32 +124,33 @@ function picture({ points, faces }: Data, side: Side, title: string, say: Say): 
     ...rims,
     ...numbers,
     circle(hub, 9, 'hub'),
-    weightLabels(side, place),
+    weightLegend(side),
     scale(side.value, say),
   );
 }
 
-/** Beside an edge each way and a diagonal: the others have the same. */
-function weightLabels({ weights }: Side, place: (vertex: number) => Point): string {
-  const hub = place(middle);
-  const besides: [number, Point][] = [
-    [5, [0, -14]],
-    [7, [-23, 0]],
-    [8, [0, 0]],
+/** Of an edge each way and of a diagonal, below the drawing, where there is always room: the others have the same. */
+function weightLegend({ weights }: Side): string {
+  const y = height - 14;
+  const samples: [number, Point][] = [
+    [7, [0, -9]],
+    [5, [9, 0]],
+    [8, [8, -8]],
   ];
-  return besides
-    .map(([vertex, [dx, dy]]) => {
+  return samples
+    .map(([vertex, [dx, dy]], k) => {
       const w = weights.get(vertex) ?? 0;
-      const [x, y] = place(vertex);
-      const at: Point = [hub[0] + 0.56 * (x - hub[0]) + dx, hub[1] + 0.56 * (y - hub[1]) + dy];
-      return text(at, fixed(w, 2), w < -rounding ? 'halo bad' : 'halo');
+      const x = 44 + 92 * k;
+      const isNegative = w < -rounding;
+      const sample = line([x - dx, y - dy], [x + dx, y + dy], isNegative ? 'spoke minus' : 'spoke', 3);
+      return sample + text([x + 17, y], fixed(w, 3), isNegative ? 'bad' : '', 'start');
     })
     .join('');
 }
 
 /** From 0 to 2, with the range of what is pinned. */
 function scale(value: number, say: Say): string {
-  const [x, top, bottom] = [width - 34, 76, height - 34];
+  const [x, top, bottom] = [width - 34, 76, height - 68];
   const y = (v: number): number => bottom + ((top - bottom) * v) / 2;
   const shown = Math.max(0, Math.min(2, value));
   return group(
@@ -157,7 +158,7 @@ function scale(value: number, say: Say): string {
     rectangle([x - 5, y(1)], 10, y(0) - y(1), 'bar-range'),
     line([x, y(0)], [x, y(2)], 'thin'),
     ...[0, 1, 2].map(
-      (v) => line([x - 5, y(v)], [x + 5, y(v)], 'thin') + text([x + 12, y(v)], String(v), 'small quiet', 'start'),
+      (v) => line([x - 5, y(v)], [x + 5, y(v)], 'thin') + text([x + 17, y(v)], String(v), 'small quiet', 'start'),
     ),
     line([x - 11, y(shown)], [x + 11, y(shown)], isOutside(value) ? 'edge-negative' : 'thick'),
     text([width - 10, 14], fixed(value, 3), isOutside(value) ? 'loud bad' : 'loud', 'end'),

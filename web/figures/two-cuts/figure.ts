@@ -103,11 +103,11 @@ export const figure = drawn<Data>({
       text: Number.isNaN(weights[k]) ? '–' : fixed(weights[k] as number, 4),
       bad: (weights[k] as number) < 0,
     })),
-    { id: 'taken', value: taken, text: `${(cuts[taken] as Cut).from} – ${(cuts[taken] as Cut).to}` },
     ...cuts.map((cut) => {
       const value = facingAngles(points, cut);
       return { id: `sum${nameOf(cut)}`, value, text: `${fixed(value, 1)}°` };
     }),
+    { id: 'taken', value: taken, text: `${(cuts[taken] as Cut).from} – ${(cuts[taken] as Cut).to}` },
   ],
   state: () =>
     stateWith(() => ({
@@ -168,7 +168,7 @@ function picture({ points, weights, taken }: Data, settings: Settings, say: Say)
       distance: 8,
     };
   });
-  const numbers = at.map((p, k): Label => ({ at: p, words: String(k), towards: minus(p, middle), distance: 12 }));
+  const numbers = at.map((p, k): Label => ({ at: p, words: String(k), towards: minus(p, middle), distance: 16 }));
   const taking = at.map(([x, y]) => [x, y, 12] as const);
   return svg(
     width,
