@@ -14,7 +14,7 @@ function spoken() {
   const found = new Set();
   const literal = /\b(?:t|word)\(\s*(?:'((?:[^'\\]|\\.)*)'|"((?:[^"\\]|\\.)*)")/g;
   const text = (inner) => inner.replace(/\\(.)/g, '$1');
-  for (const [, source] of sources(/^web\/src\/.*\.ts$/))
+  for (const [, source] of sources(/^web\/(src|embed)\/.*\.ts$/))
     for (const [, single, double] of source.matchAll(literal)) found.add(text(single ?? double));
   return found;
 }
