@@ -117,7 +117,7 @@ it.each([
   [
     'short.off',
     'OFF\n9 1 0\n0 0 0\n',
-    'Zeile 2: 9 Knoten sind angekündigt, aber die 7 Bytes, die folgen, reichen dafür nicht.',
+    'Zeile 2: 9 Knoten sind angekündigt, aber die 8 Bytes, die folgen, reichen dafür nicht.',
   ],
   ['few.ply', 'ply\nformat ascii 1.0\n', 'Die Datei endet in ihrem Kopf: end_header fehlt.'],
   ['notes.txt', 'v 0 0 0', "'notes.txt' ist keine Netzdatei: ihr Name muss auf .obj, .off, .ply oder .stl enden."],
