@@ -1,6 +1,7 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { lightPages } from './light-dev.mjs';
+import { replace } from './replace.mjs';
 import { threeParts } from './three-parts.mjs';
 
 /** Has the browser fetch the core while it fetches the script that asks for it. */
@@ -26,7 +27,7 @@ export default defineConfig({
   base: './',
   // What web/gallery.mjs makes.
   publicDir: fileURLToPath(new URL('../build/public', import.meta.url)),
-  plugins: [threeParts(), earlyCore(), lightPages()],
+  plugins: [threeParts(), earlyCore(), lightPages(), replace({ 'web/embed/home': 'web/embed/page-home.ts' })],
   worker: { format: 'es' },
   // The module and its wasm live beside web/.
   server: { fs: { allow: ['..'] } },

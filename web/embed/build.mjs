@@ -6,6 +6,7 @@ import { build } from 'vite';
 import { viteSingleFile } from 'vite-plugin-singlefile';
 import { figureWords } from '../figures/words.mjs';
 import { inNode, meshPicture } from '../light.mjs';
+import { replace } from '../replace.mjs';
 import { isPublished, site } from '../site.mjs';
 import { threeParts } from '../three-parts.mjs';
 import { target } from '../vite.config.mjs';
@@ -20,6 +21,9 @@ async function write(name, text) {
   await writeFile(file, text);
 }
 
+/** How long plugins take is nobody's concern. */
+const quiet = { checks: { pluginTimings: false } };
+
 /** @returns the texts of what is built, by their extensions */
 async function built({ plugins = [], ...rest }) {
   const results = await build({
@@ -28,7 +32,7 @@ async function built({ plugins = [], ...rest }) {
     publicDir: false,
     logLevel: 'warn',
     plugins: [threeParts(), figureWords(), ...plugins],
-    build: { target, write: false, modulePreload: false, ...rest },
+    build: { target, write: false, modulePreload: false, rolldownOptions: quiet, ...rest },
   });
   const { output } = Array.isArray(results) ? results[0] : results;
   const texts = output.map((file) => [file.fileName.replace(/.*\./, ''), file.source ?? file.code]);
@@ -42,7 +46,7 @@ const script = (entry, plugins) =>
   built({
     plugins,
     lib: { entry: join(web, entry), formats: ['iife'], name: 'polylap' },
-    rolldownOptions: { output: { codeSplitting: false } },
+    rolldownOptions: { ...quiet, output: { codeSplitting: false } },
   });
 
 async function offline(plugins) {
@@ -56,9 +60,26 @@ async function offline(plugins) {
   for (const [id, text] of files) await write(`offline/${id}.html`, text);
 }
 
+/** What home.ts takes for the address of its script. */
+const homeIs = (code) => ({
+  name: 'home',
+  enforce: 'pre',
+  transform: (text, id) => (id.endsWith('/web/embed/home.ts') ? text.replace('import.meta.url', code) : null),
+});
+
+/** The page with another script. */
+const entry = {
+  name: 'entry',
+  transformIndexHtml: { order: 'pre', handler: (html) => html.replace('./src/main.ts', './embed/page.ts') },
+};
+
 const carry = inlined(await inlinedParts());
+const page = [entry, replace({ 'web/embed/home': 'web/embed/page-home.ts' }), carry, viteSingleFile()];
+// Of a module there is no currentScript, and elsewhere no import.meta.
+const own = `(document.currentScript ?? document.querySelector('script[src*="polylap-compare"]'))?.src`;
 await Promise.all([
-  built({ plugins: [carry, viteSingleFile()] }).then(({ html }) => write('polylap.html', sealedPage(html))),
+  built({ plugins: page }).then(({ html }) => write('polylap.html', sealedPage(html))),
+  script('embed/element.ts', [homeIs(own), carry]).then(({ js }) => write('polylap-compare.js', js)),
   script('embed/host.ts').then(({ js }) => write('polylap-frame.js', js)),
-  offline([carry]),
+  offline([homeIs("''"), carry]),
 ]);

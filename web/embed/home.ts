@@ -5,7 +5,9 @@ const script = import.meta.url;
 export function fullPage(): string | null {
   try {
     const { protocol } = new URL(script);
-    return /^(https?|file):$/.test(protocol) ? new URL('index.html', script).href : null;
+    if (!/^(https?|file):$/.test(protocol)) return null;
+    // From a disk only the page that is one file works.
+    return new URL(protocol === 'file:' ? 'polylap.html' : 'index.html', script).href;
   } catch {
     return null;
   }

@@ -6,6 +6,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { deflateRawSync } from 'node:zlib';
 import { build } from 'vite';
+import { replace } from '../replace.mjs';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 const pack = (bytes) => deflateRawSync(bytes, { level: 9, memLevel: 9 }).toString('base64');
@@ -54,17 +55,6 @@ async function publicFiles() {
     texts[name.replaceAll('\\', '/')] = bytes.toString();
   }
   return JSON.stringify(texts);
-}
-
-/** @param modules what takes the place of what, by their paths from the root; the extension of the first left out */
-function replace(modules) {
-  const places = new Map(Object.entries(modules).map(([path, other]) => [join(root, path), join(root, other)]));
-  return {
-    name: 'replace',
-    enforce: 'pre',
-    resolveId: (source, importer) =>
-      (importer && source.startsWith('.') && places.get(join(importer, '..', source.replace(/\.[jt]s$/, '')))) || null,
-  };
 }
 
 /** @param parts see inlinedParts */

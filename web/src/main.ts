@@ -70,12 +70,17 @@ declare global {
   var polylap: typeof handle;
 }
 
-const wanted = languageOf(new URLSearchParams(location.search).get('lang'), document.documentElement.lang);
-// Where its words cannot be had the page speaks English.
-void setLanguage(wanted)
-  .catch(() => {})
-  .then(() => {
-    show();
-    window.addEventListener('hashchange', () => void page.app.follow(location.hash));
-    Object.assign(globalThis, { polylap: handle });
-  });
+async function begin(): Promise<void> {
+  const asked = new URLSearchParams(location.search);
+  if (asked.has('embed')) {
+    await import('../embed/frame-page.js');
+    return;
+  }
+  // Where its words cannot be had the page speaks English.
+  await setLanguage(languageOf(asked.get('lang'), document.documentElement.lang)).catch(() => {});
+  show();
+  window.addEventListener('hashchange', () => void page.app.follow(location.hash));
+  Object.assign(globalThis, { polylap: handle });
+}
+
+void begin();
