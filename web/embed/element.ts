@@ -129,9 +129,9 @@ export class PolylapCompare extends HTMLElement implements Member {
 
   // --- for scripts; each waits until the element is ready, which starts it -------------------------------------------------
 
-  /** What is shown, as data: JSON that setState() and links of the page take. */
+  /** What is shown, as data: JSON that setState() and links of the page take. Of a drawn figure, what the page shows instead. */
   async getState(): Promise<State> {
-    return (await this.#page()).state;
+    return (await this.#started()).state;
   }
 
   /** @throws Error, a sentence that names what is wrong; then everything stays as it is */
@@ -310,7 +310,7 @@ export class PolylapCompare extends HTMLElement implements Member {
   async #page(): Promise<LivePage> {
     const live = await this.#started();
     if (live instanceof LiveFigure)
-      throw new Error('This figure is a drawing: there are reset(), toSVG() and toPNG().');
+      throw new Error('This figure is a drawing: there are getState(), reset(), toSVG() and toPNG().');
     return live;
   }
 

@@ -271,10 +271,9 @@ export class LivePage {
 
   /** @returns what is seen in a view, or in all that there are, side by side */
   async toPng(view?: View): Promise<Blob> {
-    if (!this.mounted.wake()) throw new Error('This browser shows no WebGL, so there are no pictures.');
-    const { viewer } = this.mounted;
-    const wanted = view ? [known(view)] : views.filter((each) => viewer.seen(each));
-    const shots = await Promise.all(wanted.map((each) => viewer.photograph(each, false)));
+    const { mounted } = this;
+    const wanted = view ? [known(view)] : views.filter((each) => mounted.viewer.seen(each));
+    const shots = await Promise.all(wanted.map((each) => mounted.photograph(each, false)));
     if (shots.length === 1 && shots[0]) return shots[0];
     const pictures = await Promise.all(shots.map((shot) => createImageBitmap(shot)));
     const canvas = document.createElement('canvas');

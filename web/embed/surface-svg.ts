@@ -66,7 +66,7 @@ export function surfaceSvg(app: App, viewer: Viewer, view: View): string {
   }
   pieces.sort((one, other) => other.depth - one.depth);
   // Attributes and not classes: a style sheet in a drawing is one of the page that it is put into.
-  const dashed = `fill="none" stroke="${hex(colours.negative)}" stroke-width="2" stroke-dasharray="6 4"`;
+  const dashed = `fill="none" stroke="${hex(colours.negative)}" stroke-width="1.4" stroke-dasharray="5 3.5"`;
   const body = pieces.map(({ text }) => text.replace('class="n"', dashed)).join('\n');
   const [w, h] = [width, height].map(Math.round);
   return `<svg xmlns="http://www.w3.org/2000/svg" width="${w}" height="${h}" viewBox="0 0 ${w} ${h}">

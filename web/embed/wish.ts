@@ -201,7 +201,7 @@ function withChoice(state: State, side: Side, wanted: string | null): State {
 function withLambda(state: State, wanted: string | null): State {
   if (wanted === null) return state;
   const lambda = Number(wanted);
-  if (!Number.isFinite(lambda)) throw new Error(`lambda is a number, not “${wanted}”.`);
+  if (!Number.isFinite(lambda)) throw new Error(`“${wanted}” is no number for lambda.`);
   const withIt = (side: Side): Choice => {
     const choice = state.sides[side];
     const has = operatorOf(choice).parameters.some(({ id }) => id === 'lambda');

@@ -57,6 +57,8 @@ export interface Mounted {
   wake(): boolean;
   /** Holds no WebGL context any more; the last picture stays, and everything else goes on. */
   sleep(): void;
+  /** A view as a PNG, whether it sleeps or not. @throws Error, a sentence, where there is no WebGL or the view is not on screen */
+  photograph(view: View, transparent: boolean): Promise<Blob>;
   /** Takes away what is seen and leaves the rest, to be mounted again in another language. */
   release(): App;
   /** Leaves nothing behind: no listener, no context, no mesh in the workers. */
@@ -66,7 +68,6 @@ export interface Mounted {
 /** A page has one title, one banner and one main part: not those of what is part of it. */
 function withoutLandmarks(body: HTMLElement): void {
   for (const each of body.querySelectorAll('header, footer, h1')) each.setAttribute('role', 'none');
-  for (const each of body.querySelectorAll('section[aria-label]')) each.setAttribute('role', 'group');
 }
 
 /**
@@ -95,8 +96,13 @@ export function mount(root: ShadowRoot | HTMLElement, options: MountOptions): Mo
   const scope = new Scope(element, root, whole, settings.keys);
 
   const photograph = async (view: View, transparent: boolean) => {
+    const slept = !viewer.awake;
     if (!wake()) throw new Error(t('This browser shows no WebGL, so there are no pictures.'));
-    return viewer.photograph(view, transparent);
+    try {
+      return await viewer.photograph(view, transparent);
+    } finally {
+      if (slept) viewer.sleep();
+    }
   };
   const { canvas, views, help } = page(app, body, scope, photograph, options.speak);
   bindKeys(app, scope, help);
@@ -194,5 +200,5 @@ export function mount(root: ShadowRoot | HTMLElement, options: MountOptions): Mo
     return app;
   };
   const dispose = () => release().close();
-  return { app, viewer, element, ready, set, wake, sleep: () => viewer.sleep(), release, dispose };
+  return { app, viewer, element, ready, set, wake, sleep: () => viewer.sleep(), photograph, release, dispose };
 }

@@ -62,9 +62,9 @@ export class Scope {
     const target: EventTarget = this.whole ? document : element;
     target.addEventListener(type, listener as EventListener, { signal });
     if (this.whole) return;
+    // What is meant for nobody in particular.
     const pointedAt = (event: Event) => {
-      const { activeElement } = document;
-      const idle = activeElement === null || activeElement === document.body;
+      const idle = event.target === document.body || event.target === document.documentElement;
       if (idle && this.keys === 'capture' && element.matches(':hover')) listener(event as HTMLElementEventMap[K]);
     };
     document.addEventListener(type, pointedAt, { signal });

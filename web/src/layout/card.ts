@@ -42,8 +42,8 @@ export function card(app: App, side: Side): { element: HTMLElement; view: HTMLEl
   const outside = h('span', { 'data-readout': 'card-outside' });
   const figures = h('p', { class: 'figures' });
   const element = h(
-    'section',
-    { class: 'card', 'data-side': side, 'aria-label': t('Side {side}', { side: letter }) },
+    'div',
+    { class: 'card', role: 'group', 'data-side': side, 'aria-label': t('Side {side}', { side: letter }) },
     h(
       'header',
       { class: 'card-head' },

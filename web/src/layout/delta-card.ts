@@ -77,8 +77,8 @@ export function deltaCard(app: App): { element: HTMLElement; view: HTMLElement }
     ),
   );
   const element = h(
-    'section',
-    { class: 'card', 'data-side': 'delta', 'aria-label': t('Difference of A and B') },
+    'div',
+    { class: 'card', role: 'group', 'data-side': 'delta', 'aria-label': t('Difference of A and B') },
     h(
       'header',
       { class: 'card-head' },

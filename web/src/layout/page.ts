@@ -82,8 +82,8 @@ export function page(
   root.append(
     masthead,
     h(
-      'section',
-      { class: 'task-line', 'aria-label': t('Task and messages') },
+      scope.whole ? 'section' : 'div',
+      { class: 'task-line', role: scope.whole ? undefined : 'group', 'aria-label': t('Task and messages') },
       tasks.element,
       h('div', { class: 'messages' }, messageLine(app, 'error', leave), messageLine(app, 'report', leave)),
       deltaToggle(app),

@@ -355,18 +355,10 @@ export class Viewer {
     });
   }
 
-  /** A view as a PNG, without what lies over it. */
+  /** A view as a PNG, without what lies over it. @throws Error when it is asleep */
   async photograph(view: View, transparent: boolean): Promise<Blob> {
-    const slept = !this.awake;
-    this.wake();
-    try {
-      return await this.picture(this.renderer as WebGLRenderer, view, transparent);
-    } finally {
-      if (slept) this.sleep();
-    }
-  }
-
-  private picture(renderer: WebGLRenderer, view: View, transparent: boolean): Promise<Blob> {
+    const { renderer } = this;
+    if (!renderer) throw new Error('what sleeps draws nothing');
     const place = this.places[view];
     const background = transparent ? null : getComputedStyle(place.closest('.card') ?? document.body).backgroundColor;
     return photograph(renderer, () => this.draw(), place, background);
