@@ -1,11 +1,13 @@
 /** Every figure on its page: light until it is touched, readable without scripts, alive under mouse and keys, and the same in the full page. */
+import { existsSync } from 'node:fs';
+import { join } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import type { Control, Figure } from '../../web/figures/figure.js';
 import { ids } from '../../web/figures/list.js';
 import { readLink } from '../../web/src/share.js';
 import { complaints } from './acts.js';
-import { open, picture, settled, useSite } from './browser.js';
+import { dist, open, picture, settled, useSite } from './browser.js';
 
 const site = useSite({ compressed: true });
 const address = (id: string, lang = 'en') => `${site.url}figures/${lang === 'en' ? '' : `${lang}/`}${id}.html`;
@@ -147,6 +149,14 @@ describe.each(ids)('%s', (id) => {
       // What nothing would answer to is not there.
       expect(await page.locator('.controls').isVisible()).toBe(false);
       expect(await page.getByRole('link', { name: lang === 'en' ? 'Deutsch' : 'English' }).isVisible()).toBe(true);
+      const links = await page
+        .locator('a, link[href]')
+        .evaluateAll((all) => all.map((link) => (link as HTMLAnchorElement).href));
+      // oEmbed has the address where the site will be.
+      for (const link of links.filter((one) => one.startsWith(site.url))) {
+        const { pathname } = new URL(link);
+        expect([link, existsSync(join(dist, pathname.slice(new URL(site.url).pathname.length)))]).toEqual([link, true]);
+      }
       expect(troubles).toEqual([]);
       await close();
     }

@@ -21,10 +21,6 @@ export const readingText = ({ text, value }: Reading): string => text ?? exact(v
 /** What the runtime has to know of controls before the figure itself is loaded. */
 const controlData = ({ controls }: Figure): string => JSON.stringify(controls);
 
-/** Longest text that a slider shows, in characters: nothing jumps. */
-const outputRoom = ({ min, max, step }: { min: number; max: number; step: number }): string =>
-  [min, max, min + step, max - step].map(exact).reduce((one, other) => (other.length > one.length ? other : one));
-
 function controlHtml(control: Control, setting: Setting, { words }: Loaded): string {
   const { id, kind } = control;
   const name = words.controls[id] ?? id;
@@ -40,7 +36,7 @@ function controlHtml(control: Control, setting: Setting, { words }: Loaded): str
       value: String(setting),
       autocomplete: 'off',
     });
-    const output = tag('output', { for: id, 'data-room': outputRoom(control).length }, exact(Number(setting)));
+    const output = tag('output', { 'data-of': id }, exact(Number(setting)));
     return tag('label', { class: 'slider' }, tag('span', { class: 'name' }, name), input, output);
   }
   if (kind !== 'choice') return '';

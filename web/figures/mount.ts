@@ -236,7 +236,7 @@ class LiveFigure implements Mounted {
         if (kind === 'choice') input.checked = input.value === setting;
         else if (input.valueAsNumber !== setting) input.valueAsNumber = Number(setting);
       }
-      const output = this.element.querySelector(`output[for="${CSS.escape(id)}"]`);
+      const output = this.element.querySelector(`output[data-of="${CSS.escape(id)}"]`);
       if (output) output.textContent = exact(Number(setting));
     }
   }
