@@ -1,11 +1,14 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vitest/config';
+import { nodeFiles } from '../web/node-files.mjs';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
 
 /** One project per folder of tests: `vitest run --config tests/vitest.config.mjs --project repo`. */
 const project = (name, test = {}) => ({
   root,
+  // The modules of the page find here what lies beside it there.
+  plugins: name === 'web' ? [nodeFiles()] : [],
   test: { name, include: [`tests/${name}/**/*.test.{ts,mjs}`], environment: 'node', allowOnly: false, ...test },
 });
 

@@ -2,6 +2,7 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { figureWords } from './figures/words.mjs';
+import { threeParts } from './three-parts.mjs';
 
 const file = (name) => fileURLToPath(new URL(name, import.meta.url));
 
@@ -10,7 +11,7 @@ export default defineConfig({
   configFile: false,
   base: './',
   publicDir: false,
-  plugins: [figureWords()],
+  plugins: [figureWords(), threeParts()],
   worker: { format: 'es' },
   build: {
     outDir: file('../dist'),

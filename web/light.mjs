@@ -3,6 +3,7 @@ import { readFile, rm } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
 import { build, createServer } from 'vite';
 import config from './light.config.mjs';
+import { nodeFiles } from './node-files.mjs';
 import { thumbnail } from './thumbnail.mjs';
 
 const dist = new URL('../dist/', import.meta.url);
@@ -25,6 +26,7 @@ export async function bundle() {
 export async function inNode(use) {
   const server = await createServer({
     ...config,
+    plugins: [...config.plugins, nodeFiles()],
     logLevel: 'error',
     appType: 'custom',
     optimizeDeps: { noDiscovery: true },

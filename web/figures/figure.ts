@@ -100,5 +100,7 @@ export type Figure = Drawn<any> | Compared;
 /** Lets the compiler find Data. */
 export const drawn = <Data>(figure: Omit<Drawn<Data>, 'kind'>): Drawn<Data> => ({ kind: 'drawn', ...figure });
 
+export const compared = (figure: Omit<Compared, 'kind'>): Compared => ({ kind: 'compared', ...figure });
+
 export const initialSettings = ({ controls }: Pick<FigureBase, 'controls'>): Settings =>
   Object.fromEntries(controls.map(({ id, initial }) => [id, initial]));

@@ -6,6 +6,8 @@ import type { Lang, Shared, Words } from './words.js';
 export const ids: readonly [string, ...string[]] = [
   'one-interior-vertex',
   'maximum-principle',
+  'negative-weights',
+  'noisy-smoothing',
   'two-cuts',
   'orthogonal-dual',
   'power-weights',

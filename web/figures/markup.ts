@@ -69,8 +69,19 @@ const readingsHtml = (readings: readonly Reading[], { words }: Loaded): string =
     ),
   );
 
+/** The picture in place of the views, which start when they are asked for. */
+const comparedHtml = ({ words, shared, drawing }: Shown): string =>
+  tag(
+    'div',
+    { class: 'drawing compared', role: 'group', 'aria-label': words.alt },
+    tag('div', { class: 'still', 'aria-hidden': 'true' }, drawing),
+    tag('button', { type: 'button', class: 'start' }, sayer(shared)('start')),
+  );
+
 /** The drawing; one that can be turned takes the keys itself. */
-function drawingHtml({ figure, words, drawing, settings }: Shown): string {
+function drawingHtml(shown: Shown): string {
+  const { figure, words, drawing, settings } = shown;
+  if (figure.kind === 'compared') return comparedHtml(shown);
   const turn = figure.controls.find(({ kind }) => kind === 'turn');
   const handles = figure.controls.some(({ kind }) => kind === 'handle');
   const inner = turn

@@ -5,6 +5,7 @@
 import { exact } from '../src/format.js';
 import { latest } from '../src/latest.js';
 import type { Client } from '../src/polylap.js';
+import type { ComparedPage } from './compared.js';
 import type { Control, Handle, Point, Reading, Setting, Settings } from './figure.js';
 import { type Load, type Loaded, load } from './list.js';
 import { figureHtml, readingText, turnValues } from './markup.js';
@@ -58,7 +59,7 @@ export async function mount(host: HTMLElement, id: string, options: MountOptions
 
 /** All figures of a document that stand there as markup. */
 export const hydrateAll = (root: ParentNode = document, options: MountOptions = {}): Mounted[] =>
-  [...root.querySelectorAll<HTMLElement>('[data-figure][data-kind="drawn"]')].map((figure) => hydrate(figure, options));
+  [...root.querySelectorAll<HTMLElement>('[data-figure]')].map((figure) => hydrate(figure, options));
 
 export function hydrate(element: HTMLElement, options: MountOptions = {}): Mounted {
   return new LiveFigure(element, options);
@@ -78,6 +79,8 @@ class LiveFigure implements Mounted {
   #working: Promise<void> = Promise.resolve();
   #finished: (() => void) | undefined;
   #intent: ReturnType<typeof setTimeout> | undefined;
+  /** The page in a figure that compares, once it has been started. */
+  #page: ComparedPage | undefined;
 
   constructor(
     readonly element: HTMLElement,
@@ -115,6 +118,7 @@ class LiveFigure implements Mounted {
   destroy(): void {
     clearTimeout(this.#intent);
     this.#gone.abort();
+    this.#page?.dispose();
   }
 
   #initial(): Settings {
@@ -128,6 +132,10 @@ class LiveFigure implements Mounted {
       return [[control.id, fitting(control, given)]];
     });
     return Object.fromEntries(entries);
+  }
+
+  get #isHeavy(): boolean {
+    return this.element.dataset.kind === 'compared';
   }
 
   get #form(): HTMLFormElement | null {
@@ -177,22 +185,32 @@ class LiveFigure implements Mounted {
 
   async #update(settings: Settings, { loaded, client }: { loaded: Loaded; client: Client }): Promise<void> {
     const { figure, words, shared } = loaded;
-    if (figure.kind !== 'drawn') return;
     this.element.dataset.state = 'busy';
     try {
       const stale =
         !this.#computed ||
         this.#controls.some(({ id, view }) => !view && this.#computed?.settings[id] !== settings[id]);
-      const data = stale ? await figure.compute(client, settings) : this.#computed?.data;
+      const page = figure.kind === 'compared' ? await this.#started(client) : null;
+      const [data] = await Promise.all([
+        stale ? figure.compute(client, settings) : this.#computed?.data,
+        page?.show(figure.state(settings)),
+      ]);
       this.#computed = { settings, data };
-      this.#draw(figure.draw(data, settings, sayer(words)), settings);
-      this.#read(figure.read(data, settings));
+      if (figure.kind === 'drawn') this.#draw(figure.draw(data, settings, sayer(words)), settings);
+      this.#read(figure.kind === 'drawn' ? figure.read(data, settings) : (data as readonly Reading[]));
       this.#say('');
     } catch (reason) {
       const message = reason instanceof Error ? reason.message : String(reason);
       this.#say(sayer(shared)('error', { reason: message }));
     }
     void this.#link(settings, loaded);
+  }
+
+  async #started(client: Client): Promise<ComparedPage> {
+    const { startCompared } = await import('./compared.js');
+    const keys = this.#options.keys === 'release' ? 'release' : 'capture';
+    this.#page ??= await startCompared(this.#drawing, client, { keys, lang: this.element.lang });
+    return this.#page;
   }
 
   #draw(drawing: string, settings: Settings): void {
@@ -247,15 +265,20 @@ class LiveFigure implements Mounted {
     const on = <K extends keyof HTMLElementEventMap>(name: K, act: (event: HTMLElementEventMap[K]) => void) =>
       element.addEventListener(name, act, { signal });
     on('pointerenter', ({ pointerType }) => {
-      if (pointerType === 'mouse' && !this.#awake) this.#intent = setTimeout(() => void this.wake(), intent);
+      if (pointerType === 'mouse' && !this.#awake && !this.#isHeavy)
+        this.#intent = setTimeout(() => void this.wake(), intent);
     });
     on('pointerleave', () => clearTimeout(this.#intent));
     const first = ({ target }: Event) => {
       const wants = target instanceof Element && target.closest('.controls, .drawing');
       if (wants && !this.#awake) void this.wake();
     };
-    on('focusin', first);
-    on('pointerdown', first);
+    // Who only passes by with the pointer or the Tab key has not asked for two views.
+    if (this.#isHeavy) on('click', first);
+    else {
+      on('focusin', first);
+      on('pointerdown', first);
+    }
     on('input', ({ target }) => this.#input(target));
     on('reset', () => this.reset());
     on('submit', (event) => event.preventDefault());
