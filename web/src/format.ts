@@ -8,6 +8,9 @@ export { count, minus };
 /** A decimal number as the language writes it. */
 export const written = (digits: string): string => decimals(minus(digits), language());
 
+/** A number with all its digits, as somebody would type it. */
+export const typed = (value: number): string => decimals(String(value), language());
+
 /** Characters that a number may take in a column of a table. */
 const room = 8;
 const exactRoom = 10;

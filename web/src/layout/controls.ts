@@ -1,8 +1,7 @@
-import { decimals } from '../digits.js';
 import { h } from '../dom.js';
-import { exact } from '../format.js';
+import { exact, typed } from '../format.js';
 import { focusedBy } from '../scope.js';
-import { language, t, word } from '../words.js';
+import { t, word } from '../words.js';
 
 let ids = 0;
 export const newId = (stem: string) => `${stem}-${++ids}`;
@@ -44,7 +43,7 @@ export function numberField(options: NumberOptions): {
       : t('{kind} from {low} to {high}', { kind, low, high });
   };
   const write = (value: number | null) => {
-    element.value = value === null ? '' : decimals(String(value), language());
+    element.value = value === null ? '' : typed(value);
     element.removeAttribute('aria-invalid');
   };
   const take = (value: number) => {

@@ -1,6 +1,6 @@
 import type { App } from '../app.js';
 import { h } from '../dom.js';
-import { count, real, written } from '../format.js';
+import { count, real, typed } from '../format.js';
 import type { Dual, Geometry } from '../polylap.js';
 import { known } from '../results.js';
 import { operatorOf, type State, sides } from '../state.js';
@@ -135,7 +135,7 @@ export function dualPanel(app: App): HTMLElement {
   app.state.watch(
     (state) => [state.dual.mu],
     (mu) => {
-      track.set(mu === 0 ? exactly : Math.log10(mu), mu === 0 ? t('0, exactly orthogonal') : written(String(mu)));
+      track.set(mu === 0 ? exactly : Math.log10(mu), mu === 0 ? t('0, exactly orthogonal') : typed(mu));
       field.set(mu);
     },
   );

@@ -140,7 +140,7 @@ export function harmonicPanel(app: App): HTMLElement {
     const several = loops.length > 1;
     loopLine.hidden = !several;
     loopMenu.replaceChildren(
-      h('option', { value: '' }, t('all {n} loops', { n: loops.length })),
+      h('option', { value: '' }, t('all {some} loops', { some: count(loops.length) })),
       ...(several ? loops.slice(0, listed) : []).map(({ vertices }, k) =>
         h(
           'option',

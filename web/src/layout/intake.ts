@@ -81,7 +81,7 @@ async function openOne(app: App, files: readonly File[]): Promise<void> {
   if (left.length === 0 || source.kind !== 'file' || source.name !== chosen.name) return;
   const named =
     left.length > 4
-      ? t('{names} and {n} more', { names: left.slice(0, 3).join(', '), n: left.length - 3 })
+      ? t('{names} and {some} more', { names: left.slice(0, 3).join(', '), some: left.length - 3 })
       : left.join(', ');
   app.say(`${app.results.get().notice} ${t('One mesh at a time: left out {names}.', { names: named })}`);
 }

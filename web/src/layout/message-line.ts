@@ -42,7 +42,7 @@ export function messageLine(app: App, kind: 'error' | 'report', leave: () => voi
               h(
                 'details',
                 {},
-                h('summary', {}, t('{n} more', { n: lines.length - listed })),
+                h('summary', {}, t('{some} more', { some: lines.length - listed })),
                 h('ul', {}, ...lines.slice(listed)),
               ),
             ]

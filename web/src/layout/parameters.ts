@@ -1,6 +1,6 @@
 import type { App } from '../app.js';
 import { h } from '../dom.js';
-import { words, written } from '../format.js';
+import { typed, words } from '../format.js';
 import type { Parameter, Side } from '../polylap.js';
 import { operatorOf, type Parameters } from '../state.js';
 import { t } from '../words.js';
@@ -60,7 +60,7 @@ export function parameterRows(
       onRefuse: refuse,
     });
     setters[id] = (value) => {
-      track.set(Number(value), written(String(value)));
+      track.set(Number(value), typed(Number(value)));
       field.set(Number(value));
     };
     return rowOf(track.element, field.element);

@@ -1,6 +1,6 @@
 import type { App } from '../app.js';
 import { h, put } from '../dom.js';
-import { count, real, written } from '../format.js';
+import { count, real, typed } from '../format.js';
 import { stepsOf } from '../moves.js';
 import type { SmoothingSolve } from '../polylap.js';
 import { sides } from '../state.js';
@@ -134,7 +134,7 @@ export function smoothPanel(app: App): HTMLElement {
   app.state.watch(
     (state) => [state.smooth],
     ({ timeH2, rebuild: each, flow }) => {
-      track.set(Math.log10(timeH2), `${written(String(timeH2))} h²`);
+      track.set(Math.log10(timeH2), `${typed(timeH2)} h²`);
       field.set(timeH2);
       rebuild.checked = each;
       rebuild.disabled = sides.every((side) => flow[side] === 'conformalised');

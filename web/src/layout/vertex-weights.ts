@@ -1,6 +1,6 @@
 import type { App } from '../app.js';
 import { h } from '../dom.js';
-import { written } from '../format.js';
+import { typed } from '../format.js';
 import type { Side } from '../polylap.js';
 import { operatorOf, sides } from '../state.js';
 import { t } from '../words.js';
@@ -59,7 +59,7 @@ function weightRow(app: App, side: Side): HTMLElement {
     const { sides: choices, vertexWeights: weights, selected } = app.state.get();
     element.hidden = !operatorOf(choices[side]).takesVertexWeights;
     const weight = selected === null ? null : (weights[side][selected] ?? 0);
-    track.set((weight ?? 0) / unit(), written(String(weight ?? 0)));
+    track.set((weight ?? 0) / unit(), typed(weight ?? 0));
     field.set(weight);
     track.element.disabled = field.element.disabled = selected === null;
     const total = Object.keys(weights[side]).length;

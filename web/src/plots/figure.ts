@@ -1,5 +1,5 @@
 import { h } from '../dom.js';
-import { written } from '../format.js';
+import { typed } from '../format.js';
 import { csv } from '../numbers-text.js';
 import { save, standalone } from '../saving.js';
 import { t } from '../words.js';
@@ -58,4 +58,4 @@ export function figure(title: string, name: string) {
 
 const mostRows = 100;
 
-const text = (cell: Cell) => (typeof cell === 'number' ? written(String(Number(cell.toPrecision(6)))) : (cell ?? ''));
+const text = (cell: Cell) => (typeof cell === 'number' ? typed(Number(cell.toPrecision(6))) : (cell ?? ''));
