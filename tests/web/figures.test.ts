@@ -33,6 +33,21 @@ const shown = (page: Page) =>
     drawing: figure.querySelector('.drawing')?.innerHTML.replaceAll(/\s?aria-[\w-]+="[^"]*"/g, ''),
   }));
 
+/** Pairs of labels of the drawing that lie on each other by more than the white around letters. */
+const collisions = (page: Page) =>
+  page.evaluate(() => {
+    const labels = [...document.querySelectorAll('.drawing svg text')].filter((text) => text.textContent?.trim());
+    const boxes = labels.map((text) => [text.textContent, text.getBoundingClientRect()] as const);
+    return boxes.flatMap(([words, box], k) =>
+      boxes.slice(k + 1).flatMap(([others, other]) => {
+        const wide = Math.min(box.right, other.right) - Math.max(box.left, other.left);
+        const high = Math.min(box.bottom, other.bottom) - Math.max(box.top, other.top);
+        const isOn = wide > 2 && high > 0.35 * Math.min(box.height, other.height);
+        return isOn ? [`${words} on ${others}`] : [];
+      }),
+    );
+  });
+
 /** Does something, and waits until what is shown is not what it was. */
 async function changes(page: Page, act: () => Promise<unknown>): Promise<void> {
   const before = JSON.stringify(await shown(page));
@@ -171,6 +186,7 @@ describe.each(ids)('%s', (id) => {
       const { page, close } = await open(site, address(id, lang), { colorScheme, viewport: { width, height: 800 } });
       expect([lang, colorScheme, width, ...(await complaints(page))]).toEqual([lang, colorScheme, width]);
       expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
+      expect(await collisions(page)).toEqual([]);
       await picture(page, `figure-${id}-${colorScheme}-${width}`, true);
       await close();
     }
