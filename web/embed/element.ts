@@ -100,13 +100,22 @@ export class PolylapCompare extends HTMLElement implements Member {
     if (this.#listening) return;
     this.#listening = new AbortController();
     const { signal } = this.#listening;
-    this.#read();
-    this.#showCover();
-    crowd.add(this, this);
     const use = () => crowd.use(this);
     this.addEventListener('pointerenter', use, { signal });
     this.addEventListener('focusin', use, { signal });
-    if (this.#wish?.loading === 'eager' || this.#begun) this.#start();
+    void this.#speak().then(() => {
+      if (signal.aborted) return;
+      const { loading } = this.#read();
+      this.#showCover();
+      crowd.add(this, this);
+      if (loading === 'eager' || this.#begun) this.#start();
+    });
+  }
+
+  /** Where its words cannot be had it speaks English. */
+  #speak(): Promise<void> {
+    const around = this.closest<HTMLElement>('[lang]')?.lang;
+    return setLanguage(languageOf(this.getAttribute('lang'), around)).catch(() => {});
   }
 
   disconnectedCallback(): void {
@@ -115,13 +124,14 @@ export class PolylapCompare extends HTMLElement implements Member {
       if (this.isConnected || !this.#listening) return;
       this.#listening.abort();
       this.#listening = null;
+      this.#wish = null;
       crowd.remove(this);
       this.#stop();
     });
   }
 
   attributeChangedCallback(name: Name, before: string | null, now: string | null): void {
-    if (before === now || !this.#listening) return;
+    if (before === now || !this.#listening || !this.#wish) return;
     // Several that are set at once are one change.
     if (this.#changed.size === 0) queueMicrotask(() => this.#change());
     this.#changed.add(name);
@@ -253,8 +263,8 @@ export class PolylapCompare extends HTMLElement implements Member {
   // --- life ---------------------------------------------------------------------------------------------------------------
 
   #start(): void {
-    if (this.#live || !this.#listening) return;
     this.#begun = true;
+    if (this.#live || !this.#listening || !this.#wish) return;
     const turn = ++this.#turn;
     this.#begin(() => turn === this.#turn).catch((reason) => {
       if (turn !== this.#turn) return;
@@ -269,7 +279,7 @@ export class PolylapCompare extends HTMLElement implements Member {
   }
 
   async #begin(wanted: () => boolean): Promise<void> {
-    await setLanguage(languageOf(this.getAttribute('lang'), this.closest<HTMLElement>('[lang]')?.lang));
+    await this.#speak();
     if (!wanted()) return;
     const wish = this.#wish as Wish;
     const { figure } = wish;

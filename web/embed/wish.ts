@@ -16,6 +16,7 @@ import {
   type Task,
   type Theme,
 } from '../src/state.js';
+import { t, told } from '../src/words.js';
 
 /** What decides what is shown; the rest is how. */
 export const contentNames = ['figure', 'mesh', 'a', 'b', 'lambda', 'task'] as const;
@@ -110,7 +111,8 @@ export function readWish(get: (name: Name) => string | null, { usual = usually, 
   const choose = <T extends string>(name: Name, allowed: readonly T[]): T | null => {
     const value = given(name);
     const found = allowed.find((each) => each === value) ?? null;
-    if (value !== null && found === null) problems.push(`${name} cannot be “${value}”; it is one of ${list(allowed)}.`);
+    if (value !== null && found === null)
+      problems.push(t('{name} cannot be “{value}”; it is one of {list}.', { name, value, list: list(allowed) }));
     return found;
   };
   const gesture = (name: 'wheel' | 'touch', meanings: Readonly<Record<string, Gesture>>): Gesture =>
@@ -126,14 +128,19 @@ export function readWish(get: (name: Name) => string | null, { usual = usually, 
   const wanted = get('autoplay') === null ? 0 : Number(given('autoplay') ?? autoplaySteps);
   const autoplay = Number.isInteger(wanted) && wanted >= 0 && wanted <= mostAutoplay ? wanted : 0;
   if (autoplay !== wanted)
-    problems.push(`autoplay is a number of steps up to ${mostAutoplay}, not “${get('autoplay')}”.`);
+    problems.push(
+      t('autoplay is a number of steps up to {most}, not “{value}”.', {
+        most: mostAutoplay,
+        value: get('autoplay') ?? '',
+      }),
+    );
 
   const asked = given('figure');
   const figure = asked !== null && figures.includes(asked) ? asked : null;
   const entry = figure ? undefined : entries.find(({ id }) => id === asked?.replace(/^gallery:/, ''));
   if (asked !== null && !figure && !entry) {
     const there = [...new Set([...figures, ...entries.map(({ id }) => id)])];
-    problems.push(`There is no figure “${asked}”. There are ${list(there)}.`);
+    problems.push(t('There is no figure “{id}”. There are {list}.', { id: asked, list: list(there) }));
   }
   const mesh = given('mesh');
   const address = mesh !== null && sourceOf(mesh) === null && looksLikeFile(mesh) ? mesh : null;
@@ -146,7 +153,10 @@ export function readWish(get: (name: Name) => string | null, { usual = usually, 
       if (source) return { ...state, ...forAnotherMesh(state), source };
       const there = list([...new Set([...presets, ...shapes].map(({ id }) => id))]);
       throw new Error(
-        `There is no mesh “${mesh}”. There are ${there}; a file is known by its address, which has a / or ends in .obj, .off, .ply or .stl.`,
+        t(
+          'There is no mesh “{id}”. There are {list}; a file is known by its address, which has a / or ends in .obj, .off, .ply or .stl.',
+          { id: mesh, list: there },
+        ),
       );
     },
     a: (state) => withChoice(state, 'a', given('a')),
@@ -192,7 +202,7 @@ function withChoice(state: State, side: Side, wanted: string | null): State {
   const { id, query } = parts(wanted);
   if (!operators.some((operator) => operator.id === id)) {
     const there = list(operators.map((operator) => operator.id));
-    throw new Error(`There is no operator “${id}” for ${side}. There are ${there}.`);
+    throw new Error(t('There is no operator “{id}” for {side}. There are {list}.', { id, side, list: there }));
   }
   return { ...state, sides: { ...state.sides, [side]: { operator: id, parameters: parametersOf(query) } } };
 }
@@ -201,7 +211,7 @@ function withChoice(state: State, side: Side, wanted: string | null): State {
 function withLambda(state: State, wanted: string | null): State {
   if (wanted === null) return state;
   const lambda = Number(wanted);
-  if (!Number.isFinite(lambda)) throw new Error(`“${wanted}” is no number for lambda.`);
+  if (!Number.isFinite(lambda)) throw new Error(t('“{value}” is no number for lambda.', { value: wanted }));
   const withIt = (side: Side): Choice => {
     const choice = state.sides[side];
     const has = operatorOf(choice).parameters.some(({ id }) => id === 'lambda');
@@ -211,6 +221,6 @@ function withLambda(state: State, wanted: string | null): State {
 }
 
 function sentence(reason: unknown): string {
-  const text = reason instanceof Error ? reason.message : String(reason);
+  const text = told(reason instanceof Error ? reason.message : String(reason));
   return `${text[0]?.toUpperCase() ?? ''}${text.slice(1)}${/[.!?]$/.test(text) ? '' : '.'}`;
 }
