@@ -67,7 +67,7 @@ export type Say = (path: string, values?: Readonly<Record<string, string | numbe
 interface FigureBase {
   /** Its folder, and its address: never change it. */
   readonly id: string;
-  /** 1 is F1. */
+  /** The article shows the figures in this order. */
   readonly number: number;
   /** One or two, and handles. */
   readonly controls: readonly Control[];

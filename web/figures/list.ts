@@ -2,19 +2,19 @@
 import type { Figure } from './figure.js';
 import type { Lang, Shared, Words } from './words.js';
 
-/** In the order of their numbers. */
+/** In the order of their numbers, which is that of the article. */
 export const ids: readonly [string, ...string[]] = [
-  'one-interior-vertex',
-  'maximum-principle',
-  'negative-weights',
-  'noisy-smoothing',
-  'two-cuts',
-  'orthogonal-dual',
+  'dirichlet-energy',
+  'circumcentric-dual',
   'power-weights',
   'vector-area',
   'checkerboard',
-  'circumcentric-dual',
-  'dirichlet-energy',
+  'one-interior-vertex',
+  'maximum-principle',
+  'negative-weights',
+  'two-cuts',
+  'orthogonal-dual',
+  'noisy-smoothing',
   'soap-film',
 ];
 

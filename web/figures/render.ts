@@ -33,16 +33,12 @@ export interface RenderOptions {
   picture?: (figure: Figure, settings: Settings) => Promise<string>;
   /** The style of posters. */
   style?: string;
-  /** Its number in a text, where that counts its own. */
-  number?: number;
 }
 
 export async function renderFigure(client: Client, id: string, options: RenderOptions): Promise<Rendered> {
   const { lang, fullPage, picture, style = '' } = options;
-  const found = await load(id, lang);
-  const figure: Figure = { ...found.figure, number: options.number ?? found.figure.number };
-  const loaded = { ...found, figure };
-  const { words } = loaded;
+  const loaded = await load(id, lang);
+  const { figure, words } = loaded;
   const mesh = figure.kind === 'compared' ? await picture?.(figure, initialSettings(figure)) : '';
   const shown: Shown = await render(client, loaded, { lang, fullPage, picture: mesh ?? '' });
   return {

@@ -11,13 +11,6 @@ async function sections(lang) {
   return texts.join('\n');
 }
 
-/** A figure that is not there yet leaves its place empty. */
-function missing(error) {
-  if (!/^there is no figure/.test(error.message)) throw error;
-  console.warn(error.message);
-  return '';
-}
-
 /**
  * @param load imports a module of web/, see ../light.mjs
  * @returns path in the site → text
@@ -35,8 +28,9 @@ export async function thesisFiles({ load, client, filesOf, picture }) {
     const fullPage = lang === 'en' ? '../index.html' : `../index.html?lang=${lang}`;
     const blocks = { measured: tableHtml(measured, words.table) };
     for (const [k, id] of figuresOf(text).entries()) {
-      const options = { lang, fullPage, number: k + 1, picture };
-      blocks[`figure ${id}`] = await renderFigure(client, id, options).then(({ html }) => html, missing);
+      const { html, number } = await renderFigure(client, id, { lang, fullPage, picture });
+      if (number !== k + 1) throw new Error(`the article shows figure ${number}, ${id}, as its figure ${k + 1}`);
+      blocks[`figure ${id}`] = html;
     }
     const whole = `${words.lead}\n\n${words.reading}\n\n${begin}\n\n${text}`;
     const { html, headings, cited } = convert(whole, { say, blocks, references });

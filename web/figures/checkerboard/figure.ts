@@ -1,4 +1,4 @@
-/** F9: what the operator without its stabiliser takes for constant. */
+/** What the operator without its stabiliser takes for constant. */
 import type { Matrices, Mesh, OperatorSpec, ShapeSpec } from '../../src/polylap.js';
 import { choice, stateWith } from '../common.js';
 import { drawn, type Point, type Say, type Settings } from '../figure.js';
@@ -91,7 +91,7 @@ async function measure(mesh: Mesh, example: Example, lambda: number): Promise<Da
 
 export const figure = drawn<Data>({
   id: 'checkerboard',
-  number: 9,
+  number: 5,
   controls: [
     { id: 'mesh', kind: 'choice', choices: Object.keys(examples), initial: 'grid' },
     { id: 'lambda', kind: 'slider', min: 0, max: lambdaMax, step: 0.01, initial: 0 },

@@ -71,7 +71,7 @@ function draw(data: Data, settings: Settings, say: Say): string {
 
 export const figure = drawn<Data>({
   id: 'circumcentric-dual',
-  number: 10,
+  number: 2,
   controls: [left, right],
   compute,
   draw,

@@ -99,7 +99,7 @@ function incircle([a, b, c]: Triangle) {
 
 export const figure = drawn<Data>({
   id: 'dirichlet-energy',
-  number: 11,
+  number: 1,
   controls: [...source, ...image],
   compute,
   draw,

@@ -1,4 +1,4 @@
-/** F2: one corner is 1, the rest of the rim is 0, and inside there is less than 0. */
+/** One corner is 1, the rest of the rim is 0, and inside there is less than 0. */
 import type { Harmonic } from '../../src/polylap.js';
 import { choice, fixedValues, gridSource, rim, stateWith } from '../common.js';
 import { drawn, type Point, type Say } from '../figure.js';
@@ -37,7 +37,7 @@ const cleared = (value: number): number => (Math.abs(value) < rounding ? 0 : val
 
 export const figure = drawn<Data>({
   id: 'maximum-principle',
-  number: 2,
+  number: 7,
   controls: [{ id: 'lambda', kind: 'slider', min: 0.1, max: 2, step: 0.01, initial: 1 }],
   async compute(client, { lambda }) {
     const mesh = await client.make({ shape: 'grid', nx: n, ny: n, width: n, height: n });

@@ -1,4 +1,4 @@
-/** F3. How many weights are negative on a quad bunny (Herholz 2012, table on p. 31). */
+/** How many weights are negative on a quad bunny (Herholz 2012, table on p. 31). */
 import { count } from '../../src/format.js';
 import type { Client, Geometry, OperatorSpec, Weights } from '../../src/polylap.js';
 import { openBunny } from '../bunny.js';
@@ -52,7 +52,7 @@ function onEdges({ pairs }: Weights, { offsets, corners }: Geometry): number {
 
 export const figure: Compared = compared({
   id: 'negative-weights',
-  number: 3,
+  number: 8,
   controls: [
     { kind: 'choice', id: 'surface', choices: ['smooth', 'noisy'], initial: 'smooth' },
     { kind: 'slider', id: 'lambda', min: 0, max: 2, step: 0.05, initial: 1 },

@@ -1,4 +1,4 @@
-/** F4. Noise smoothed away by two operators, and what tells their surfaces apart (Herholz 2012, Figs. 4.7 and 4.8). */
+/** Noise smoothed away by two operators, and what tells their surfaces apart (Herholz 2012, Figs. 4.7 and 4.8). */
 import { meanEdge } from '../../src/mean-edge.js';
 import { moveOf, optionsOf } from '../../src/moves.js';
 import type { Client, OperatorSpec, Side } from '../../src/polylap.js';
@@ -71,7 +71,7 @@ function distances(one: Float32Array, other: Float32Array, unit: number): { larg
 
 export const figure: Compared = compared({
   id: 'noisy-smoothing',
-  number: 4,
+  number: 11,
   controls: [
     { kind: 'slider', id: 'steps', min: 0, max: mostSteps, step: 1, initial: 6 },
     { kind: 'choice', id: 'shown', view: true, choices: Object.keys(gains), initial: 'surfaces' },

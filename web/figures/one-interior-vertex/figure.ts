@@ -1,4 +1,4 @@
-/** F1: the value in the middle of four rectangles (Herholz 2012, Fig. 4.9). */
+/** The value in the middle of four rectangles (Herholz 2012, Fig. 4.9). */
 import type { Harmonic, Mesh, OperatorSpec, Row } from '../../src/polylap.js';
 import { choice, fixedValues, flat, gridSource, rim, stateWith } from '../common.js';
 import { drawn, type Point, type Say, type Settings } from '../figure.js';
@@ -37,7 +37,7 @@ async function ask(mesh: Mesh, spec: OperatorSpec): Promise<Side> {
 
 export const figure = drawn<Data>({
   id: 'one-interior-vertex',
-  number: 1,
+  number: 6,
   controls: [
     { id: 'lambda', kind: 'slider', min: 0.05, max: 3, step: 0.05, initial: 1 },
     { id: 'aspect', kind: 'slider', min: 1, max: 4, step: 0.05, initial: 1 },

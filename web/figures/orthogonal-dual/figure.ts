@@ -71,7 +71,7 @@ function mark({ ends, dual: [v], foot, along }: Crossing, { at, scale }: ReturnT
 
 export const figure = drawn<Data>({
   id: 'orthogonal-dual',
-  number: 6,
+  number: 10,
   controls: [mesh, amount],
   compute,
   draw,

@@ -72,7 +72,7 @@ function draw({ mesh, omega: weight, centres, edges }: Data, settings: Settings,
 
 export const figure = drawn<Data>({
   id: 'power-weights',
-  number: 7,
+  number: 3,
   controls: [omega, circles, middle],
   compute,
   draw,

@@ -1,4 +1,4 @@
-/** F12. A soap film between two rings, by Pinkall and Polthier's iteration, beside the catenoid (the subject of Herholz 2012, Fig. 2.1). */
+/** A soap film between two rings, by Pinkall and Polthier's iteration, beside the catenoid (the subject of Herholz 2012, Fig. 2.1). */
 import { moveOf } from '../../src/moves.js';
 import type { Client, OperatorSpec } from '../../src/polylap.js';
 import { initialState, type State } from '../../src/state.js';

@@ -1,4 +1,4 @@
-/** F5: a quad and its two triangulations (Herholz 2012, Fig. 4.6). */
+/** A quad and its two triangulations (Herholz 2012, Fig. 4.6). */
 import type { Client } from '../../src/polylap.js';
 import { choice, stateWith } from '../common.js';
 import { drawn, type Handle, type Point, type Say, type Settings } from '../figure.js';
@@ -84,7 +84,7 @@ async function delaunay(client: Client, points: readonly Point[]): Promise<0 | 1
 
 export const figure = drawn<Data>({
   id: 'two-cuts',
-  number: 5,
+  number: 9,
   controls: corners,
   async compute(client, settings) {
     const points = pointsOf(settings);

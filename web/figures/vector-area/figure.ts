@@ -1,4 +1,4 @@
-/** F8. The vector area of a polygon in no plane, and its gradient (Herholz 2012, Fig. 4.4). */
+/** The vector area of a polygon in no plane, and its gradient (Herholz 2012, Fig. 4.4). */
 
 import type { Client, FaceReport, OperatorSpec } from '../../src/polylap.js';
 import { initialChoice, initialState } from '../../src/state.js';
@@ -89,7 +89,7 @@ function read(data: AreaData): Reading[] {
 
 export const figure = drawn<AreaData>({
   id: 'vector-area',
-  number: 8,
+  number: 4,
   controls: [
     { kind: 'choice', id: 'polygon', choices: kinds, initial: 'saddle' },
     { kind: 'slider', id: 'height', min: 0, max: 1, step: 0.05, initial: 0.6 },
