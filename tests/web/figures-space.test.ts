@@ -186,6 +186,34 @@ describe('the vector area', () => {
     }
   });
 
+  it('stays in its picture from wherever it is seen', async () => {
+    let [left, right, top, bottom] = [Infinity, -Infinity, Infinity, -Infinity];
+    for (const kind of kinds) {
+      for (const height of [0, 1]) {
+        const { data } = await ask(kind, height);
+        for (let azimuth = -180; azimuth < 180; azimuth += 30) {
+          for (let elevation = -90; elevation <= 90; elevation += 15) {
+            const drawing = vectorArea.draw(data, { view: [azimuth, elevation] }, (path) => path);
+            for (const [, x, y] of drawing.matchAll(/[ML]([-\d.]+) ([-\d.]+)/g)) {
+              [left, right] = [Math.min(left, Number(x)), Math.max(right, Number(x))];
+              [top, bottom] = [Math.min(top, Number(y)), Math.max(bottom, Number(y))];
+            }
+            for (const [, points = ''] of drawing.matchAll(/points="([^"]*)"/g))
+              for (const pair of points.split(' ')) {
+                const [x, y] = pair.split(',').map(Number) as [number, number];
+                [left, right] = [Math.min(left, x), Math.max(right, x)];
+                [top, bottom] = [Math.min(top, y), Math.max(bottom, y)];
+              }
+          }
+        }
+      }
+    }
+    expect([left, top].every((least) => least >= 0)).toBe(true);
+    expect([right <= 500, bottom <= 410]).toEqual([true, true]);
+    // And uses most of it.
+    expect(bottom - top).toBeGreaterThan(0.9 * 410);
+  });
+
   it('hands the same polygon to the full page', () => {
     const settings = { ...initialSettings(vectorArea), polygon: 'hexagon', height: 0.4 };
     expect(vectorArea.state(settings).source).toEqual({ kind: 'file', name: 'polygon.obj', file: 0 });
@@ -267,6 +295,25 @@ describe('the soap film', () => {
       expect(number(readings, 'neck')).toBeCloseTo(number(readings, 'waist'), 2);
       expect(readings.some(({ bad }) => bad)).toBe(false);
     }
+  });
+
+  it('has as much area on itself as half its Dirichlet energy, with either operator', async () => {
+    const h = 0.6;
+    const mesh = await client.make(cylinderOf(h, { around: 24, along: 8 }));
+    await relax(mesh, operators.b, 3, h, 'a');
+    const { area } = await mesh.shape({ side: 'a' });
+    for (const spec of [operators.a, operators.b])
+      expect((await mesh.energy(spec, { side: 'a' })) / 2 / area).toBeCloseTo(1, 9);
+    await mesh.close();
+  });
+
+  it('lies on the catenoid after 20 steps, as the words have it', async () => {
+    const { readings } = await ask(0.6, 20);
+    expect(number(readings, 'deviation').toFixed(4)).toBe('0.0012');
+    const [before, after] = [await ask(0.52, 60), await ask(0.53, 60)];
+    expect(number(before.readings, 'catenoid')).toBeLessThan(2 * Math.PI);
+    expect(number(after.readings, 'catenoid')).toBeGreaterThan(2 * Math.PI);
+    expect(number(after.readings, 'deviation')).toBeLessThan(0.001);
   });
 
   it('is four times nearer to it on twice the quads each way', async () => {

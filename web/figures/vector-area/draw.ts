@@ -17,9 +17,9 @@ import {
 } from '../svg3d.js';
 import type { AreaData } from './figure.js';
 
-const frame: Frame = { centre: [0, 0, 0], radius: 1.12, width: 440, height: 380 };
+const frame: Frame = { centre: [0, 0, 0], radius: 1.32, width: 500, height: 410 };
 /** How far below the middle of the polygon its projection lies, and how long arrows are drawn: |a| = 1, and a gradient of 1. */
-const [drop, areaLength, gradientLength] = [0.85, 0.9, 0.5];
+const [drop, areaLength, gradientLength] = [0.8, 0.9, 0.4];
 
 export function drawArea(data: AreaData, settings: Settings, say: Say): string {
   const eye = eyeAt(settings.view as Point, frame);
@@ -44,18 +44,17 @@ export function drawArea(data: AreaData, settings: Settings, say: Say): string {
     ...points.map((p, k) => line(p, tips[k] as Vec, '', true)),
     line(middle, tip, 'accent', true),
   ];
-  const rightmost = (among: readonly Vec[]) => among.reduce((p, q) => (dot(q, eye.right) > dot(p, eye.right) ? q : p));
+  // Beyond the outermost point in a direction nothing of its kind is in the way.
+  const beyond = (points: readonly Vec[], towards: Point) => {
+    const reach = ([x, y]: Point) => x * towards[0] + y * towards[1];
+    const at = points.map(eye.place).reduce((p, q) => (reach(q) > reach(p) ? q : p));
+    return { at, towards, className: 'variable symbol', size: 17 };
+  };
   const names = labels(
     [
-      { at: eye.place(tip), words: 'a', className: 'variable symbol accent', towards: [1, 0], size: 17 },
-      {
-        at: eye.place(rightmost(tips)),
-        words: say('labels.gradient'),
-        className: 'variable symbol',
-        towards: [0.4, 1],
-        size: 17,
-      },
-      { at: eye.place(rightmost(shadows)), words: '|a|', className: 'variable symbol', towards: [0.2, 1], size: 17 },
+      { ...beyond([tip], [1, 0]), words: 'a', className: 'variable symbol accent' },
+      { ...beyond(tips, [0.95, -0.3]), words: say('labels.gradient') },
+      { ...beyond(shadows, [0.6, 0.8]), words: '|a|' },
     ],
     [],
     frame,
