@@ -1,5 +1,6 @@
 import { h } from '../dom.js';
 import { type View, views } from '../state.js';
+import { scaleOf } from './scale.js';
 
 /** A ring around the vertex under the pointer, over the canvas and not in it: nothing has to be drawn again while the pointer moves. */
 export class HoverRing {
@@ -32,7 +33,8 @@ export class HoverRing {
       ring.hidden = !at?.visible;
       if (!at?.visible) continue;
       const box = this.places[view].getBoundingClientRect();
-      ring.style.transform = `translate(${at.x - box.x}px, ${at.y - box.y}px)`;
+      const scale = scaleOf(this.places[view]);
+      ring.style.transform = `translate(${(at.x - box.x) / scale}px, ${(at.y - box.y) / scale}px)`;
     }
   }
 }

@@ -1,5 +1,6 @@
 import type { WebGLRenderer } from 'three';
 import { t } from '../words.js';
+import { scaleOf } from './scale.js';
 
 /** What a renderer draws within an element, twice as fine as on screen, over a colour or nothing. */
 export async function photograph(
@@ -13,8 +14,9 @@ export async function photograph(
   if (box.width === 0) throw new Error(t('That view is not on screen.'));
   const usual = renderer.getPixelRatio();
   const ratio = 2 * usual;
+  const seen = ratio / scaleOf(renderer.domElement);
   const picture = document.createElement('canvas');
-  const [width, height] = [Math.round(ratio * box.width), Math.round(ratio * box.height)];
+  const [width, height] = [Math.round(seen * box.width), Math.round(seen * box.height)];
   Object.assign(picture, { width, height });
   const context = picture.getContext('2d') as CanvasRenderingContext2D;
   if (background) {
@@ -23,7 +25,7 @@ export async function photograph(
   }
   renderer.setPixelRatio(ratio);
   draw();
-  const [x, y] = [ratio * (box.left - stage.left), ratio * (box.top - stage.top)];
+  const [x, y] = [seen * (box.left - stage.left), seen * (box.top - stage.top)];
   context.drawImage(renderer.domElement, x, y, width, height, 0, 0, width, height);
   renderer.setPixelRatio(usual);
   draw();

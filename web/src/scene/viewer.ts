@@ -17,6 +17,7 @@ import { photograph } from './photograph.js';
 import { type Aim, type Meant, meant, meantPoint } from './pick.js';
 import { hidden } from './ray.js';
 import { Retired } from './retired.js';
+import { scaleOf } from './scale.js';
 import { type Seen, seenBy } from './seen.js';
 import type { Colours, Interval, Surface } from './surface.js';
 
@@ -410,19 +411,21 @@ export class Viewer {
     renderer.clear();
     if (!shown || !geometry) return;
     const stage = this.canvas.getBoundingClientRect();
+    const scale = scaleOf(this.canvas);
     const ratio = renderer.getPixelRatio();
     renderer.setScissorTest(true);
     for (const view of views) {
       const box = this.places[view].getBoundingClientRect();
       if (box.width === 0 || box.height === 0) continue;
       this.aim(box);
-      const lengthPerPixel = this.camera.lengthPerPixel(this.camera.centre(), box.height);
-      const left = box.left - stage.left;
-      const bottom = stage.bottom - box.bottom;
-      renderer.setViewport(left, bottom, box.width, box.height);
-      for (const { shown: content, from, to } of this.contentsOf(view, box.width)) {
-        content.fit(box.width, box.height, ratio, lengthPerPixel);
-        renderer.setScissor(left + from, bottom, to - from, box.height);
+      const [width, height] = [box.width / scale, box.height / scale];
+      const lengthPerPixel = this.camera.lengthPerPixel(this.camera.centre(), height);
+      const left = (box.left - stage.left) / scale;
+      const bottom = (stage.bottom - box.bottom) / scale;
+      renderer.setViewport(left, bottom, width, height);
+      for (const { shown: content, from, to } of this.contentsOf(view, width)) {
+        content.fit(width, height, ratio, lengthPerPixel);
+        renderer.setScissor(left + from, bottom, to - from, height);
         renderer.render(content.scene, this.camera.camera);
       }
       this.placeLabels(view, box);
@@ -437,7 +440,8 @@ export class Viewer {
     const shown = this.shown?.[view];
     if (!shown || !this.geometry || box.width === 0) return;
     this.aim(box);
-    this.labels[view].place(this.camera.camera, shown, box.width, box.height);
+    const scale = scaleOf(this.places[view]);
+    this.labels[view].place(this.camera.camera, shown, box.width / scale, box.height / scale);
   }
 
   /** What is held on the graphics card, in numbers. */
