@@ -19,7 +19,13 @@ export default defineConfig({
       project('repo', { testTimeout: 60_000 }),
       project('wasm', { testTimeout: 60_000 }),
       // One browser at a time: it draws in software, and shares two cores with the page's worker.
-      project('web', { testTimeout: 120_000, hookTimeout: 120_000, fileParallelism: false }),
+      project('web', {
+        testTimeout: 120_000,
+        hookTimeout: 120_000,
+        fileParallelism: false,
+        // What is waited for comes when it comes.
+        expect: { poll: { timeout: 30_000 } },
+      }),
     ],
   },
 });
