@@ -1,9 +1,11 @@
 // The light pages in `npm run dev`: made when they are asked for, and anew after a change.
 import { fileURLToPath } from 'node:url';
 import { figureWords } from './figures/words.mjs';
+import { nodeFiles } from './node-files.mjs';
 
 export const lightPages = () => [
   figureWords(),
+  nodeFiles(),
   {
     name: 'light-pages',
     apply: 'serve',

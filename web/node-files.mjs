@@ -7,9 +7,10 @@ const addressOf = (path) => new URL(`../build/public/${path}`, import.meta.url);
 export const publicFile = async (path) => new Blob([await readFile(addressOf(path))]);
 export const publicUrl = (path) => addressOf(path).href;
 
-/** Vite: whoever imports that imports this. */
+/** Vite: whoever imports that in Node imports this. */
 export const nodeFiles = () => ({
   name: 'node-files',
   enforce: 'pre',
-  resolveId: (source) => (/\/public-file\.js$/.test(source) ? fileURLToPath(import.meta.url) : null),
+  resolveId: (source, _importer, { ssr }) =>
+    ssr && /\/public-file\.js$/.test(source) ? fileURLToPath(import.meta.url) : null,
 });
