@@ -271,3 +271,23 @@ describe.each(readdirSync(file('offline')))('the figure %s', (name) => {
     await at.close();
   });
 });
+
+describe('the element in one script', () => {
+  it.each(['<script src="polylap-compare.js"></script>', '<script type="module" src="polylap-compare.js"></script>'])(
+    'works by %s, with no network',
+    async (script) => {
+      const at = await quiet(async (page) => {
+        const body = `<!doctype html><title>host</title>${script}<polylap-compare mesh="noisy-torus"></polylap-compare>`;
+        await page.route(host, (route) => route.fulfill({ contentType: 'text/html', body }));
+        await page.route(`${host}polylap-compare.js`, (route) => route.fulfill({ path: file('polylap-compare.js') }));
+        await page.goto(host);
+        return page.mainFrame();
+      });
+      await settled(at.frame);
+      expect([await read(at.frame, 'negative', 'a'), await read(at.frame, 'negative', 'b')]).toEqual(['2048', '0']);
+      expect(at.troubles).toEqual([]);
+      expect(at.requests).toEqual([host, `${host}polylap-compare.js`]);
+      await at.close();
+    },
+  );
+});

@@ -230,6 +230,8 @@ export class PolylapCompare extends HTMLElement implements Member {
       this.#stop();
       if (otherFigure) this.#kept = null;
       this.#start();
+      // What was kept knows nothing of it.
+      if (this.#kept && names.length > 0) void this.#started().then((live) => live.change(wish, names));
     } else void this.#started().then((live) => live.change(wish, names));
     this.#name();
   }

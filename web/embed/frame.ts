@@ -66,7 +66,8 @@ function tellSize(tell: (size: { width: number; height: number }) => void): void
   new ResizeObserver(() => {
     const { width, height } = documentElement.getBoundingClientRect();
     const size = { width: Math.ceil(width), height: Math.ceil(height) };
-    if (JSON.stringify(size) === told) return;
+    // There is nothing in it yet.
+    if (size.height === 0 || JSON.stringify(size) === told) return;
     told = JSON.stringify(size);
     tell(size);
   }).observe(documentElement);
