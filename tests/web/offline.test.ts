@@ -237,30 +237,34 @@ describe('the page as one file', () => {
   });
 });
 
-/** Moves the first slider of what is shown. @returns whether it has one */
-const move = async ({ page, frame }: Visit): Promise<boolean> => {
+/** Touches what is shown: its slider, its drawing, or the button that starts it. */
+async function touch({ page, frame }: Visit): Promise<void> {
   const slider = frame.locator('main .controls input[type=range]').first();
-  if ((await slider.count()) === 0) return false;
-  await slider.focus();
-  await page.keyboard.press('ArrowRight');
-  return true;
-};
+  const start = frame.locator('main .start');
+  if ((await start.count()) > 0) await start.click();
+  else if ((await slider.count()) > 0) {
+    await slider.focus();
+    await page.keyboard.press('ArrowRight');
+  } else {
+    await frame.locator('main [data-handle]').first().focus();
+    await page.keyboard.press('ArrowRight');
+  }
+}
 
 describe.each(readdirSync(file('offline')))('the figure %s', (name) => {
   it.each(Object.entries(places))('comes alive %s, in both languages', async (place, open) => {
     const at = await quiet((page) => open(page, `offline/${name}`));
     const { frame } = at;
     await frame.locator('main [data-figure]').waitFor();
-    const shown = () => frame.locator('main .drawing').innerHTML();
+    const shown = () => frame.locator('main .drawing').first().innerHTML();
     for (const lang of ['en', 'de']) {
       await frame.waitForFunction((wanted) => document.documentElement.lang === wanted, lang);
       const before = await shown();
-      if (await move(at)) {
-        await frame.waitForFunction(
-          () => document.querySelector<HTMLElement>('main [data-figure]')?.dataset.state === 'ready',
-        );
-        expect(await shown()).not.toBe(before);
-      }
+      await touch(at);
+      await frame.waitForFunction(
+        () => document.querySelector<HTMLElement>('main [data-figure]')?.dataset.state === 'ready',
+      );
+      expect(await shown()).not.toBe(before);
       // In a frame the page around says which language it wants.
       const change = frame.locator('.site-line button');
       if (lang === 'en' && (await change.isVisible())) await change.click();

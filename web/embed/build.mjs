@@ -49,13 +49,18 @@ const script = (entry, plugins) =>
     rolldownOptions: { ...quiet, output: { codeSplitting: false } },
   });
 
-async function offline(plugins) {
+async function offline(parts) {
   // Whoever takes the site along has the whole page beside the figures.
   const fullPage = isPublished ? site.href : '../polylap.html';
-  const { js, css } = await script('embed/offline.ts', plugins);
+  const isMesh = (path) => path.startsWith('meshes/');
+  const noCompared = replace({ 'web/figures/compared': 'web/embed/only-drawn.ts' });
+  const [compared, drawn] = await Promise.all([
+    script('embed/offline.ts', [homeIs("''"), inlined(parts, isMesh)]),
+    script('embed/offline.ts', [homeIs("''"), inlined(parts, () => false), noCompared]),
+  ]);
   const files = await inNode((node) => {
     const picture = (figure, settings) => meshPicture(node.client, figure.state(settings), node);
-    return offlineFiles(node, { script: js, style: css, picture, fullPage });
+    return offlineFiles(node, { compared, drawn, picture, fullPage });
   });
   for (const [id, text] of files) await write(`offline/${id}.html`, text);
 }
@@ -73,7 +78,8 @@ const entry = {
   transformIndexHtml: { order: 'pre', handler: (html) => html.replace('./src/main.ts', './embed/page.ts') },
 };
 
-const carry = inlined(await inlinedParts());
+const parts = await inlinedParts();
+const carry = inlined(parts);
 const page = [entry, replace({ 'web/embed/home': 'web/embed/page-home.ts' }), carry, viteSingleFile()];
 // Of a module there is no currentScript, and elsewhere no import.meta.
 const own = `(document.currentScript ?? document.querySelector('script[src*="polylap-compare"]'))?.src`;
@@ -81,5 +87,5 @@ await Promise.all([
   built({ plugins: page }).then(({ html }) => write('polylap.html', sealedPage(html))),
   script('embed/element.ts', [homeIs(own), carry]).then(({ js }) => write('polylap-compare.js', js)),
   script('embed/host.ts').then(({ js }) => write('polylap-frame.js', js)),
-  offline([homeIs("''"), carry]),
+  offline(parts),
 ]);

@@ -18,7 +18,7 @@ export async function inlinedParts() {
     classicWorker(),
     publicFiles(),
   ]);
-  return { core: pack(core), worker: pack(worker), files: pack(files) };
+  return { core: pack(core), worker: pack(worker), files };
 }
 
 /** The worker with the loader of the whole core only, in one script. */
@@ -45,6 +45,7 @@ async function classicWorker() {
   return output[0].code;
 }
 
+/** Path → text. */
 async function publicFiles() {
   const folder = join(root, 'build/public');
   const texts = {};
@@ -54,12 +55,20 @@ async function publicFiles() {
     if (!isUtf8(bytes)) throw new Error(`${name} is not text: inlined-files.ts takes texts only`);
     texts[name.replaceAll('\\', '/')] = bytes.toString();
   }
-  return JSON.stringify(texts);
+  return texts;
 }
 
-/** @param parts see inlinedParts */
-export function inlined(parts) {
-  const virtual = /^inlined:(core|worker|files)$/;
+/**
+ * @param parts see inlinedParts
+ * @param has whether a file of build/public can be asked for
+ */
+export function inlined({ core, worker, files }, has = (_path) => true) {
+  const given = {
+    core,
+    worker,
+    files: pack(JSON.stringify(Object.fromEntries(Object.entries(files).filter(([path]) => has(path))))),
+  };
+  const virtual = /^\0inlined:(core|worker|files)$/;
   return [
     replace({
       'wasm/src/create': 'web/embed/inlined-client.ts',
@@ -67,10 +76,10 @@ export function inlined(parts) {
     }),
     {
       name: 'inlined',
-      resolveId: (source) => (virtual.test(source) ? `\0${source}` : null),
+      resolveId: (source) => (virtual.test(`\0${source}`) ? `\0${source}` : null),
       load(id) {
-        const part = id.startsWith('\0') && id.slice(1).match(virtual)?.[1];
-        return part ? `export default ${JSON.stringify(parts[part])};` : null;
+        const [, part] = id.match(virtual) ?? [];
+        return part ? `export default ${JSON.stringify(given[part])};` : null;
       },
     },
   ];

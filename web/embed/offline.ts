@@ -14,6 +14,8 @@ let figures: Mounted[] = hydrateAll(main);
 /** Puts what is on screen away, and what was put away on screen. */
 function changeLanguage(): void {
   for (const figure of figures) figure.destroy();
+  const still = main.querySelector('.still');
+  if (still) other.content.querySelector('.still')?.replaceChildren(...still.childNodes);
   const shown = document.createDocumentFragment();
   shown.append(...main.childNodes);
   main.append(other.content);
