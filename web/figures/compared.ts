@@ -45,6 +45,9 @@ export async function startCompared(drawing: HTMLElement, client: Client, option
     wake: () => mounted.wake(),
     sleep: () => mounted.sleep(),
   };
+  const hide = (hidden: boolean) => {
+    for (const before of drawing.querySelectorAll<HTMLElement>('.still, .start')) before.hidden = hidden;
+  };
   await mounted.ready;
   return {
     async show(wanted) {
@@ -62,13 +65,14 @@ export async function startCompared(drawing: HTMLElement, client: Client, option
       if (error) throw new Error(`${error.title}: ${error.text}`);
       if (host.classList.contains('shown')) return;
       host.classList.add('shown');
-      for (const before of drawing.querySelectorAll('.still, .start')) before.remove();
+      hide(true);
       crowd.add(host, member);
     },
     dispose() {
       crowd.remove(host);
       mounted.dispose();
       host.remove();
+      hide(false);
     },
   };
 }
