@@ -206,6 +206,15 @@ it('switching takes along all that is on screen, and undo reaches back over it',
   await close();
 });
 
+it('on a narrow page the choice is in the menu, and the focus comes back to its button', async () => {
+  const { page, close } = await visit(site, { viewport: { width: 390, height: 844 } });
+  await page.getByRole('button', { name: 'Menu' }).click();
+  await page.getByRole('button', { name: 'Deutsch' }).click();
+  await page.getByRole('tab', { name: 'Gewichte' }).waitFor();
+  expect(await page.evaluate(() => document.activeElement?.textContent)).toBe('Menü');
+  await close();
+});
+
 it('an opened file and what was done to it are told of again in the other language', async () => {
   const { page, close } = await visit(site);
   await openFile(page, 'twice.obj', 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 9 9 9\nf 1 2 3 4\n');

@@ -44,9 +44,11 @@ async function speak(wanted: Language): Promise<void> {
     app.results.set({ error: { title: t('The other language cannot be loaded'), text: explain(reason) } });
     return;
   }
-  const focused = element.querySelector<HTMLElement>('[data-action=language]') === document.activeElement;
+  const focused = element.contains(document.activeElement);
   show(page.release());
-  if (focused) page.element.querySelector<HTMLElement>('[data-action=language]')?.focus();
+  // The choice again, or the menu that it is in.
+  const places = page.element.querySelectorAll<HTMLElement>('[data-action=language], .more');
+  if (focused) [...places].find((place) => place.checkVisibility())?.focus();
   const address = new URL(location.href);
   address.searchParams.set('lang', wanted);
   try {
