@@ -142,8 +142,6 @@ it('numbers are written with a comma, and read with either; files and machines h
     await lambda.press('Tab');
     expect((await stateOf(page)).sides.a.parameters.lambda).toBe(0.75);
   }
-  await page.locator('[data-action=share]').click();
-  await page.keyboard.press('Escape');
   await page.locator('[data-parameter=lambda] input[type=range]').first().focus();
   await page.keyboard.press('ArrowRight');
   await settled(page);
