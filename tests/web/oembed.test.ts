@@ -62,7 +62,7 @@ describe.each(cases)('$id, $lang', ({ id, folder }) => {
     await frame.locator('.drawing').waitFor();
     const wants = await frame.evaluate(() => Math.ceil(document.documentElement.getBoundingClientRect().height));
     expect(wants).toBeLessThanOrEqual(Number(data.height));
-    expect(wants).toBeGreaterThan(Number(data.height) - 120);
+    expect(wants).toBeGreaterThan(Number(data.height) - 160);
     await context.close();
   });
 });

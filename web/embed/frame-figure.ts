@@ -57,7 +57,9 @@ function drawing(figure: HTMLElement): string {
     tallest = Math.max(tallest, height);
     return placed;
   });
-  const size = `${Math.max(1, x - gap)} ${tallest}`;
+  if (pictures.length === 0)
+    throw new Error('What this figure shows is no drawing: the full page saves pictures of it.');
+  const size = `${x - gap} ${tallest}`;
   const [width, height] = size.split(' ');
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${size}" width="${width}" height="${height}">${pictures.join('')}</svg>`;
 }

@@ -17,7 +17,7 @@ function heightOf({ html, poster }: Rendered): number {
   const controls = 55 + 36 * Math.min(1, Math.floor(count(/<label class="slider"|<fieldset/g) / 2));
   const readings = 31 * Math.ceil(count(/<dt>/g) / 2);
   const caption = html.replace(/^[\s\S]*<figcaption>/, '').replace(/<[^>]*>/g, '');
-  return Math.ceil(drawing + controls + readings + 30 + 23 * Math.ceil(caption.length / 82) + 112);
+  return Math.ceil(drawing + controls + readings + 30 + 23 * Math.ceil(caption.length / 82) + 136);
 }
 
 /** In the site. */
