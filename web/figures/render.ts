@@ -1,6 +1,6 @@
 /** Figures as files, for the build: nothing of it goes into a page. */
 import type { Client } from '../src/polylap.js';
-import { type Figure, initialSettings, type Settings } from './figure.js';
+import { type Figure, initialSettings, type Say, type Settings } from './figure.js';
 import { ids, load } from './list.js';
 import { figureHtml, type Shown, textHtml } from './markup.js';
 import { oembed, oembedPath } from './oembed.js';
@@ -96,71 +96,80 @@ ${body}
 `;
 }
 
+type Making = Pick<Frame, 'scripts' | 'styles'> & Pick<RenderOptions, 'style' | 'picture'> & { site: URL };
+
+/** Where the pages of a language are. */
+const placeOf = (lang: Lang) =>
+  lang === 'en'
+    ? { folder: 'figures/', up: '../', other: 'de/', query: '' }
+    : { folder: `figures/${lang}/`, up: '../../', other: '../', query: `?lang=${lang}` };
+
 /** Paths in the site → text: the pages of all figures in all languages, their posters, their lists. */
-export async function figureFiles(
-  client: Client,
-  options: Pick<Frame, 'scripts' | 'styles'> & Pick<RenderOptions, 'style' | 'picture'> & { site: URL },
-): Promise<Map<string, string>> {
-  const { scripts, styles, style, picture, site } = options;
+export async function figureFiles(client: Client, making: Making): Promise<Map<string, string>> {
+  const { style, picture, site } = making;
   const files = new Map<string, string>();
   for (const lang of languages) {
-    const [folder, up] = lang === 'en' ? ['figures/', '../'] : [`figures/${lang}/`, '../../'];
-    const sideways = lang === 'en' ? 'de/' : '../';
-    const { shared } = await load(ids[0], lang);
-    const say = sayer(shared);
-    const cards: string[] = [];
+    const { folder, up, query } = placeOf(lang);
+    const say = sayer((await load(ids[0], lang)).shared);
+    const all: Rendered[] = [];
     for (const id of ids) {
-      const fullPage = `${up}index.html${lang === 'en' ? '' : `?lang=${lang}`}`;
-      const figure = await renderFigure(client, id, {
-        lang,
-        fullPage,
-        ...(style && { style }),
-        ...(picture && { picture }),
-      });
-      const number = tag('span', { class: 'number' }, say('figure', { number: figure.number }));
-      const offline = tag(
-        'p',
-        { class: 'offline' },
-        tag('a', { href: `${up}offline/${id}.html${lang === 'en' ? '' : `?lang=${lang}`}` }, say('offline')),
+      const fullPage = `${up}index.html${query}`;
+      all.push(
+        await renderFigure(client, id, { lang, fullPage, ...(style && { style }), ...(picture && { picture }) }),
       );
-      const body = [
-        tag('h1', {}, number, escapeText(figure.title)),
-        figure.html,
-        tag('div', { class: 'beside' }, figure.text),
-        offline,
-      ].join('\n');
-      const frame = {
-        up,
-        lang,
-        scripts,
-        styles,
-        title: figure.title,
-        description: figure.alt,
-        other: `${sideways}${id}.html`,
-        oembed: new URL(oembedPath(id, lang), site).href,
-      };
-      files.set(oembedPath(id, lang), oembed(figure, new URL(`${folder}${id}.html`, site), site));
-      files.set(`${folder}${id}.html`, await pageHtml(frame, body));
-      if (lang === 'en') files.set(`figures/${id}.svg`, figure.poster);
-      const poster = tag('img', { src: `${up}figures/${id}.svg`, alt: '', loading: 'lazy' });
-      const name = tag('span', {}, number, tag('span', { class: 'name' }, escapeText(figure.title)));
-      cards.push(tag('li', {}, tag('a', { href: `${id}.html` }, poster, name)));
     }
-    const body = [
-      tag('h1', {}, say('figures')),
-      tag('p', { class: 'intro' }, say('intro')),
-      tag('ul', { class: 'figure-list' }, ...cards),
-    ].join('\n');
-    const frame = {
-      up,
-      lang,
-      scripts,
-      styles,
-      title: say('figures'),
-      description: say('intro'),
-      other: `${sideways}index.html`,
-    };
-    files.set(`${folder}index.html`, await pageHtml(frame, body));
+    for (const [k, figure] of all.entries()) {
+      const { id, poster } = figure;
+      files.set(oembedPath(id, lang), oembed(figure, new URL(`${folder}${id}.html`, site), site));
+      files.set(`${folder}${id}.html`, await figurePage(figure, [all[k - 1], all[k + 1]], lang, making, say));
+      if (lang === 'en') files.set(`figures/${id}.svg`, poster);
+    }
+    files.set(`${folder}index.html`, await listPage(all, lang, making, say));
   }
   return files;
+}
+
+const numberOf = ({ number }: Rendered, say: Say): string =>
+  tag('span', { class: 'number' }, say('figure', { number }));
+
+type Neighbours = readonly [Rendered | undefined, Rendered | undefined];
+
+function figurePage(figure: Rendered, beside: Neighbours, lang: Lang, making: Making, say: Say): Promise<string> {
+  const { id, title } = figure;
+  const { up, other, query } = placeOf(lang);
+  const { scripts, styles, site } = making;
+  const offline = tag('a', { class: 'offline', href: `${up}offline/${id}.html${query}` }, say('offline'));
+  const ways = (['prev', 'next'] as const).map((rel, k) => {
+    const to = beside[k];
+    if (!to) return tag('span', {}, '');
+    return tag('a', { rel, href: `${to.id}.html` }, numberOf(to, say), escapeText(to.title));
+  });
+  const body = [
+    tag('h1', {}, numberOf(figure, say), escapeText(title)),
+    figure.html,
+    tag('div', { class: 'beside' }, figure.text),
+    offline,
+    tag('nav', { class: 'ways', 'aria-label': say('ways') }, ...ways),
+  ].join('\n');
+  const oembedAddress = new URL(oembedPath(id, lang), site).href;
+  const frame = { up, lang, scripts, styles, title, description: figure.alt, other: `${other}${id}.html` };
+  return pageHtml({ ...frame, oembed: oembedAddress }, body);
+}
+
+function listPage(all: readonly Rendered[], lang: Lang, making: Making, say: Say): Promise<string> {
+  const { up, other } = placeOf(lang);
+  const { scripts, styles } = making;
+  const cards = all.map((figure) => {
+    const { id, title } = figure;
+    const poster = tag('img', { src: `${up}figures/${id}.svg`, alt: '', loading: 'lazy' });
+    const name = tag('span', {}, numberOf(figure, say), tag('span', { class: 'name' }, escapeText(title)));
+    return tag('li', {}, tag('a', { href: `${id}.html` }, poster, name));
+  });
+  const body = [
+    tag('h1', {}, say('figures')),
+    tag('p', { class: 'intro' }, say('intro')),
+    tag('ul', { class: 'figure-list' }, ...cards),
+  ].join('\n');
+  const frame = { up, lang, scripts, styles, title: say('figures'), description: say('intro') };
+  return pageHtml({ ...frame, other: `${other}index.html` }, body);
 }
