@@ -6,7 +6,8 @@ import { exact } from '../src/format.js';
 import { latest } from '../src/latest.js';
 import type { Client } from '../src/polylap.js';
 import type { ComparedPage } from './compared.js';
-import type { Control, Handle, Point, Reading, Setting, Settings } from './figure.js';
+import type { Control, Point, Reading, Setting, Settings } from './figure.js';
+import { grasp } from './grasp.js';
 import { type Load, type Loaded, load } from './list.js';
 import { figureHtml, readingText, turnValues } from './markup.js';
 import { morphChildren } from './morph.js';
@@ -40,8 +41,6 @@ const sharedClient = async (): Promise<Client> => (await import('../src/start-cl
 
 /** How long a pointer rests on a figure before it counts as one that wants something, in ms. */
 const intent = 120;
-/** Degrees per pixel, and per key. */
-const turning = { pixel: 0.5, key: 5 };
 
 /**
  * @param host holds the markup of a figure (see markup.ts); without any, it is made
@@ -282,110 +281,19 @@ class LiveFigure implements Mounted {
     on('input', ({ target }) => this.#input(target));
     on('reset', () => this.reset());
     on('submit', (event) => event.preventDefault());
-    on('pointerdown', (event) => this.#grasp(event));
-    on('keydown', (event) => this.#key(event));
-    // Where touch-action means nothing to an SVG element.
-    const still = (event: TouchEvent) => handleAt(event.target) && event.cancelable && event.preventDefault();
-    element.addEventListener('touchstart', still, { signal, passive: false });
+    grasp(element, this.#controls, {
+      setting: (id) => this.#settings[id] as Point,
+      set: (id, point) => this.set({ [id]: point }),
+      takesKeys: this.#options.keys !== 'release',
+      signal,
+    });
   }
 
   #input(target: EventTarget | null): void {
     if (!(target instanceof HTMLInputElement)) return;
     this.set({ [target.name]: target.type === 'range' ? target.valueAsNumber : target.value });
   }
-
-  #control<K extends Control['kind']>(id: string | undefined, kind: K): Extract<Control, { kind: K }> | undefined {
-    return this.#controls.find((control) => control.id === id && control.kind === kind) as never;
-  }
-
-  #grasp(event: PointerEvent): void {
-    if (event.button !== 0) return;
-    const grip = handleAt(event.target);
-    const handle = this.#control(grip?.dataset.handle, 'handle');
-    const turned = event.target instanceof Element && event.target.closest<HTMLElement>('[data-turn]');
-    const turn = turned ? this.#control(turned.dataset.turn, 'turn') : undefined;
-    if (grip && handle) this.#drag(event, grip, handle);
-    else if (turn) {
-      const start = this.#settings[turn.id] as Point;
-      const [x, y] = [event.clientX, event.clientY];
-      this.#follow(event, ({ clientX, clientY }) =>
-        this.set({
-          [turn.id]: [start[0] - turning.pixel * (clientX - x), start[1] + turning.pixel * (clientY - y)],
-        }),
-      );
-    }
-  }
-
-  #drag(event: PointerEvent, grip: SVGElement, handle: Handle): void {
-    const picture = [...this.#drawing.querySelectorAll('svg')].findIndex((one) => one.contains(grip));
-    const at = (place: PointerEvent) => this.#inPlane(picture, place);
-    const start = at(event);
-    if (!start) return;
-    event.preventDefault();
-    grip.focus();
-    const before = this.#settings[handle.id] as Point;
-    // Not the handle's middle was taken hold of.
-    const offset = [before[0] - start[0], before[1] - start[1]] as const;
-    this.#follow(event, (place) => {
-      const now = at(place);
-      if (now) this.set({ [handle.id]: [now[0] + offset[0], now[1] + offset[1]] });
-    });
-  }
-
-  #inPlane(picture: number, { clientX, clientY }: PointerEvent): Point | null {
-    const plane = this.#drawing.querySelectorAll('svg')[picture]?.querySelector<SVGGElement>('[data-plane]');
-    const matrix = plane?.getScreenCTM()?.inverse();
-    if (!matrix) return null;
-    const { x, y } = new DOMPoint(clientX, clientY).matrixTransform(matrix);
-    return [x, y];
-  }
-
-  /** Until the pointer is let go of. */
-  #follow({ pointerId }: PointerEvent, move: (event: PointerEvent) => void): void {
-    const drawing = this.#drawing;
-    const done = new AbortController();
-    const signal = AbortSignal.any([done.signal, this.#gone.signal]);
-    drawing.setPointerCapture(pointerId);
-    const own = (act: (event: PointerEvent) => void) => (event: PointerEvent) =>
-      event.pointerId === pointerId && act(event);
-    drawing.addEventListener('pointermove', own(move), { signal });
-    for (const end of ['pointerup', 'pointercancel'] as const)
-      drawing.addEventListener(
-        end,
-        own(() => done.abort()),
-        { signal },
-      );
-  }
-
-  #key(event: KeyboardEvent): void {
-    if (this.#options.keys === 'release' || event.ctrlKey || event.metaKey || event.altKey) return;
-    const { target } = event;
-    const id =
-      target instanceof Element ? (target.getAttribute('data-handle') ?? target.getAttribute('data-turn')) : null;
-    const control = this.#controls.find((one) => one.id === id);
-    if (!control || (control.kind !== 'handle' && control.kind !== 'turn')) return;
-    const arrows: Record<string, Point> = {
-      ArrowLeft: [-1, 0],
-      ArrowRight: [1, 0],
-      ArrowUp: [0, 1],
-      ArrowDown: [0, -1],
-    };
-    const direction = arrows[event.key];
-    if (!direction && event.key !== 'Home') return;
-    event.preventDefault();
-    event.stopPropagation();
-    if (!direction) {
-      this.set({ [control.id]: control.initial });
-      return;
-    }
-    const by = (control.kind === 'handle' ? control.step : turning.key) * (event.shiftKey ? 5 : 1);
-    const now = this.#settings[control.id] as Point;
-    this.set({ [control.id]: [now[0] + by * direction[0], now[1] + by * direction[1]] });
-  }
 }
-
-const handleAt = (target: EventTarget | null): SVGElement | null =>
-  target instanceof Element ? target.closest<SVGElement>('[data-handle]') : null;
 
 /** A setting as the control can have it. */
 function fitting(control: Control, given: Setting): Setting {
