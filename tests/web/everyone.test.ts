@@ -119,7 +119,7 @@ describe('by keyboard alone', () => {
     await page.keyboard.press('Space');
     await page.waitForFunction(() => !globalThis.polylap.results().playing);
     await page.keyboard.press('?');
-    expect(await page.getByRole('dialog').isVisible()).toBe(true);
+    await page.getByRole('dialog').waitFor();
     await page.keyboard.press('Escape');
     expect(await page.getByRole('dialog').count()).toBe(0);
     await close();
