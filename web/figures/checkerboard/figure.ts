@@ -133,8 +133,8 @@ function board({ values, kernel }: Data, settings: Settings, say: Say): string {
   const at = (i: number, j: number): Point => frame.at([i, j]);
   const value = (i: number, j: number): number => values[example.vertex(i, j)] as number;
   const lines = [
-    ...Array.from({ length: nu + 1 }, (_, i) => line(at(i, 0), at(i, nv), 'hair')),
-    ...Array.from({ length: nv + 1 }, (_, j) => line(at(0, j), at(nu, j), 'hair')),
+    ...Array.from({ length: nu + 1 }, (_, i) => line(at(i, 0), at(i, nv), 'thin')),
+    ...Array.from({ length: nv + 1 }, (_, j) => line(at(0, j), at(nu, j), 'thin')),
   ];
   const clashes: string[] = [];
   const discs: string[] = [];

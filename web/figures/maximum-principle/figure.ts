@@ -79,14 +79,14 @@ export const figure = drawn<Data>({
 
 const [width, height] = [360, 424];
 /** Radius of the ball of 1, in pixels; and of what is only just not 0. */
-const [largest, smallest] = [15, 2.4];
+const [largest, smallest] = [15, 3];
 
 /** The grid with a ball at each vertex: its volume is the value. */
 function picture(side: Side, title: string, say: Say): string {
   const frame = plane({ x: [0, n], y: [0, n], width, height, margin: [66, 18, 44, 18] });
   const lines = Array.from({ length: n + 1 }, (_, k) => [
-    line(frame.at([0, k]), frame.at([n, k]), 'hair'),
-    line(frame.at([k, 0]), frame.at([k, n]), 'hair'),
+    line(frame.at([0, k]), frame.at([n, k]), 'thin'),
+    line(frame.at([k, 0]), frame.at([k, n]), 'thin'),
   ]).flat();
   const [x, y] = frame.at([0, n]);
   const discs = side.values.map((value, vertex) => disc(frame.at(placeOf(vertex)), value));
