@@ -211,6 +211,16 @@ describe('attributes', () => {
     expect(await page.locator('#narrow [data-view=b]').isVisible()).toBe(false);
     expect(await page.locator('#wide .side-switch').isVisible()).toBe(false);
     expect(await page.locator('#wide [data-view=b]').isVisible()).toBe(true);
+    // A picture of a view for which there is no room, all the same.
+    const sizes = await page.evaluate(async () => {
+      const narrow = document.getElementById('narrow') as PolylapCompare;
+      const width = async (view: 'a' | 'b') => (await createImageBitmap(await narrow.toPNG(view))).width;
+      const paths = (await narrow.toSVG('b')).split('<path').length;
+      return [await width('a'), await width('b'), paths];
+    });
+    expect(sizes[0]).toBe(sizes[1]);
+    expect(sizes[2]).toBe(513);
+    expect(await page.locator('#narrow [data-view=b]').isVisible()).toBe(false);
     const wider = await page.locator('#narrow .polylap').evaluate((e) => e.scrollWidth - e.clientWidth);
     expect(wider).toBeLessThanOrEqual(0);
     // The menu opens where its button is, not in a corner of the host's window.
@@ -366,6 +376,37 @@ describe('the host', () => {
     await page.locator('#scroll [data-view=a]').hover();
     await page.mouse.wheel(0, 100);
     await soon(top).toBeGreaterThan(0);
+    await close();
+  });
+
+  it('may show it smaller, as decks do, and all stays where it belongs', async () => {
+    const { page, troubles, close } = await hosts.open(element('one', 'mesh="grid-8" controls="none" views="a"'), {
+      style: 'main { transform: scale(0.5); transform-origin: 0 0; width: 1600px }',
+    });
+    const box = await page.locator('#one [data-view=a]').boundingBox();
+    if (!box) throw new Error('there is no view');
+    // The square stands in the middle.
+    const shot = await page.locator('#one [data-view=a]').screenshot();
+    const [left, right] = await page.evaluate(async (data) => {
+      const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${data}`)).blob());
+      const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+      context?.drawImage(bitmap, 0, 0);
+      const row = context?.getImageData(0, Math.round(bitmap.height / 2), bitmap.width, 1).data ?? [];
+      const differs = Array.from({ length: bitmap.width }, (_, k) =>
+        [0, 1, 2].some((c) => Math.abs((row[4 * k + c] ?? 0) - (row[c] ?? 0)) > 12),
+      );
+      return [differs.indexOf(true) / bitmap.width, differs.lastIndexOf(true) / bitmap.width];
+    }, shot.toString('base64'));
+    expect(left).toBeGreaterThan(0);
+    expect((left ?? 0) + (right ?? 0)).toBeCloseTo(1, 1);
+    // The ring is around the vertex that the pointer is near.
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await page.locator('#one [data-view=a] .hover-ring').waitFor();
+    const ring = await page.locator('#one [data-view=a] .hover-ring').boundingBox();
+    const middle = { x: (ring?.x ?? 0) + (ring?.width ?? 0) / 2, y: (ring?.y ?? 0) + (ring?.height ?? 0) / 2 };
+    expect(Math.hypot(middle.x - box.x - box.width / 2, middle.y - box.y - box.height / 2)).toBeLessThan(12);
+    await picture(page, 'element-scaled');
+    expect(troubles).toEqual([]);
     await close();
   });
 

@@ -62,6 +62,9 @@ class Crowd {
     const { signal } = this.over;
     // A page out of sight has no frames to wait for.
     document.addEventListener('visibilitychange', () => this.arrange(), { signal });
+    // Printers get pictures: what a context has drawn may be gone by then.
+    window.addEventListener('beforeprint', () => this.rest(), { signal });
+    window.addEventListener('afterprint', () => this.arrange(), { signal });
     const moved = () => {
       if (this.inView().length > mostAwake) this.look();
     };
@@ -80,6 +83,10 @@ class Crowd {
 
   private inView(): readonly (readonly [Element, Place])[] {
     return document.visibilityState === 'hidden' ? [] : [...this.places].filter(([, { inView }]) => inView);
+  }
+
+  private rest(): void {
+    for (const { member } of this.places.values()) member.sleep();
   }
 
   private arrange(): void {

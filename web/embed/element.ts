@@ -86,6 +86,7 @@ export class PolylapCompare extends HTMLElement implements Member {
   #turn = 0;
   #begun = false;
   #ready = deferred<Live>();
+  #isReady = false;
 
   constructor() {
     super();
@@ -302,6 +303,7 @@ export class PolylapCompare extends HTMLElement implements Member {
     this.#uncover();
     live.seen(this.#inView);
     this.#ready.resolve(live);
+    this.#isReady = true;
     this.#emit('ready', { state: live.state });
   }
 
@@ -310,7 +312,9 @@ export class PolylapCompare extends HTMLElement implements Member {
     if (this.#live instanceof LivePage) this.#kept = this.#live.kept;
     this.#live?.dispose();
     this.#live = null;
-    this.#ready = deferred();
+    // Who waits already waits for the next one.
+    if (this.#isReady) this.#ready = deferred();
+    this.#isReady = false;
     this.#ground.replaceChildren();
   }
 

@@ -273,7 +273,7 @@ export class LivePage {
   async toPng(view?: View): Promise<Blob> {
     const { mounted } = this;
     const wanted = view ? [known(view)] : views.filter((each) => mounted.viewer.seen(each));
-    const shots = await Promise.all(wanted.map((each) => mounted.photograph(each, false)));
+    const shots = await Promise.all(wanted.map((each) => this.showing(each, () => mounted.photograph(each, false))));
     if (shots.length === 1 && shots[0]) return shots[0];
     const pictures = await Promise.all(shots.map((shot) => createImageBitmap(shot)));
     const canvas = document.createElement('canvas');
@@ -293,7 +293,23 @@ export class LivePage {
 
   toSvg(view?: View): string {
     const { viewer } = this.mounted;
-    return surfaceSvg(this.app, viewer, view ? known(view) : (views.find((each) => viewer.seen(each)) ?? 'a'));
+    const wanted = view ? known(view) : (views.find((each) => viewer.seen(each)) ?? 'a');
+    return this.showing(wanted, () => surfaceSvg(this.app, viewer, wanted));
+  }
+
+  /** With a view on screen for which there may be no room: for as long as nothing is painted. */
+  private showing<T>(view: View, shoot: () => T): T {
+    const { viewer, element } = this.mounted;
+    const there = view !== 'delta' || this.app.results.get().difference !== null;
+    if (viewer.seen(view) || !there) return shoot();
+    const { views: before = 'both' } = element.dataset;
+    element.dataset.views = view;
+    try {
+      return shoot();
+    } finally {
+      element.dataset.views = before;
+      viewer.request();
+    }
   }
 
   async matrix(side: Side): Promise<Matrices> {

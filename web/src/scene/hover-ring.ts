@@ -1,6 +1,6 @@
 import { h } from '../dom.js';
 import { type View, views } from '../state.js';
-import { scaleOf } from './scale.js';
+import { scaleOf } from './box-within.js';
 
 /** A ring around the vertex under the pointer, over the canvas and not in it: nothing has to be drawn again while the pointer moves. */
 export class HoverRing {
@@ -32,9 +32,10 @@ export class HoverRing {
       const at = this.vertex === null ? null : this.project(view, this.vertex);
       ring.hidden = !at?.visible;
       if (!at?.visible) continue;
-      const box = this.places[view].getBoundingClientRect();
-      const scale = scaleOf(this.places[view]);
-      ring.style.transform = `translate(${(at.x - box.x) / scale}px, ${(at.y - box.y) / scale}px)`;
+      const place = this.places[view];
+      const { x, y } = place.getBoundingClientRect();
+      const scale = scaleOf(place);
+      ring.style.transform = `translate(${(at.x - x) / scale}px, ${(at.y - y) / scale}px)`;
     }
   }
 }

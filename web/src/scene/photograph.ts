@@ -1,6 +1,6 @@
 import type { WebGLRenderer } from 'three';
 import { t } from '../words.js';
-import { scaleOf } from './scale.js';
+import { boxWithin } from './box-within.js';
 
 /** What a renderer draws within an element, twice as fine as on screen, over a colour or nothing. */
 export async function photograph(
@@ -9,14 +9,12 @@ export async function photograph(
   place: HTMLElement,
   background: string | null,
 ): Promise<Blob> {
-  const stage = renderer.domElement.getBoundingClientRect();
-  const box = place.getBoundingClientRect();
+  const box = boxWithin(place, renderer.domElement.parentElement as HTMLElement);
   if (box.width === 0) throw new Error(t('That view is not on screen.'));
   const usual = renderer.getPixelRatio();
   const ratio = 2 * usual;
-  const seen = ratio / scaleOf(renderer.domElement);
   const picture = document.createElement('canvas');
-  const [width, height] = [Math.round(seen * box.width), Math.round(seen * box.height)];
+  const [width, height] = [Math.round(ratio * box.width), Math.round(ratio * box.height)];
   Object.assign(picture, { width, height });
   const context = picture.getContext('2d') as CanvasRenderingContext2D;
   if (background) {
@@ -25,7 +23,7 @@ export async function photograph(
   }
   renderer.setPixelRatio(ratio);
   draw();
-  const [x, y] = [seen * (box.left - stage.left), seen * (box.top - stage.top)];
+  const [x, y] = [ratio * box.left, ratio * box.top];
   context.drawImage(renderer.domElement, x, y, width, height, 0, 0, width, height);
   renderer.setPixelRatio(usual);
   draw();

@@ -1,8 +1,9 @@
-import { Matrix4, type Texture, Vector3, WebGLRenderer } from 'three';
+import { Matrix4, type Texture, Vector3 } from 'three';
 import { type ColourMap, colourTexture } from '../colour-maps.js';
 import { meanEdge } from '../mean-edge.js';
 import type { Geometry } from '../polylap.js';
 import { type View, views } from '../state.js';
+import { type Box, boxWithin } from './box-within.js';
 import { LinkedCamera } from './camera.js';
 import { readColours } from './colours.js';
 import { Content } from './content.js';
@@ -17,7 +18,7 @@ import { photograph } from './photograph.js';
 import { type Aim, type Meant, meant, meantPoint } from './pick.js';
 import { hidden } from './ray.js';
 import { Retired } from './retired.js';
-import { scaleOf } from './scale.js';
+import { Screen } from './screen.js';
 import { type Seen, seenBy } from './seen.js';
 import type { Colours, Interval, Surface } from './surface.js';
 
@@ -36,7 +37,7 @@ interface Hooks {
  */
 export class Viewer {
   readonly camera: LinkedCamera;
-  private renderer: WebGLRenderer | null = null;
+  private readonly screen: Screen;
   private readonly observer = new ResizeObserver(() => this.resize());
   /** Whether waking up would change the picture. */
   stale = true;
@@ -61,7 +62,7 @@ export class Viewer {
   private framedAspect = 0;
 
   constructor(
-    private canvas: HTMLCanvasElement,
+    canvas: HTMLCanvasElement,
     private readonly places: Record<View, HTMLElement>,
     gestures: Gestures,
     private readonly hooks: Hooks,
@@ -76,51 +77,35 @@ export class Viewer {
     this.labels = { a: new Labels(places.a), b: new Labels(places.b), delta: new Labels(places.delta) };
     this.ring = new HoverRing(places, (view, vertex) => this.project(view, vertex));
     for (const view of views) this.camera.attach(places[view]);
-    this.observer.observe(canvas.parentElement as HTMLElement);
+    this.screen = new Screen(canvas, {
+      lost: () => hooks.lost(),
+      restored: () => {
+        this.resize();
+        this.request();
+        hooks.restored();
+      },
+    });
+    this.observer.observe(this.screen.stage);
     for (const view of views) this.observer.observe(places[view]);
   }
 
   // --- waking and sleeping ------------------------------------------------------------------------------------------------
 
   get awake(): boolean {
-    return this.renderer !== null;
+    return this.screen.renderer !== null;
   }
 
   /** @throws where there is no WebGL */
   wake(): void {
-    if (this.renderer) return;
-    // A canvas whose context was given back gets no other.
-    const canvas = this.canvas.cloneNode() as HTMLCanvasElement;
-    const renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
-    renderer.setClearColor(0, 0);
-    canvas.addEventListener('webglcontextlost', (event) => {
-      event.preventDefault();
-      if (this.renderer === renderer) this.hooks.lost();
-    });
-    canvas.addEventListener('webglcontextrestored', () => {
-      if (this.renderer !== renderer) return;
-      // Chromium gives back a canvas that is black where it should be transparent, until its size changes.
-      renderer.setSize(1, 1, false);
-      this.resize();
-      this.request();
-      this.hooks.restored();
-    });
-    this.renderer = renderer;
-    this.replace(canvas);
+    if (this.awake) return;
+    this.screen.wake();
     this.resize();
   }
 
   /** Gives the graphics card back what it holds; what was drawn last stays in sight. */
   sleep(): void {
-    if (!this.renderer) return;
-    const { width, height } = this.canvas;
-    const picture = this.canvas.cloneNode() as HTMLCanvasElement;
-    Object.assign(picture, { width, height });
-    if (width > 0 && height > 0) {
-      this.draw();
-      picture.getContext('2d')?.drawImage(this.canvas, 0, 0);
-    }
-    this.replace(picture);
+    if (!this.awake) return;
+    this.screen.keepPicture(() => this.draw());
     this.release();
   }
 
@@ -131,11 +116,6 @@ export class Viewer {
     this.camera.dispose();
   }
 
-  private replace(canvas: HTMLCanvasElement): void {
-    this.canvas.replaceWith(canvas);
-    this.canvas = canvas;
-  }
-
   /** What three keeps for each geometry, material and texture goes with these; they come again when they are drawn. */
   private release(): void {
     cancelAnimationFrame(this.frame);
@@ -144,11 +124,7 @@ export class Viewer {
     for (const shown of Object.values(this.shown ?? {})) shown.dispose();
     this.triangles?.dispose();
     for (const map of Object.values(this.maps)) map.dispose();
-    const { renderer } = this;
-    this.renderer = null;
-    renderer?.dispose();
-    // It may be lost already.
-    if (!renderer?.getContext().isContextLost()) renderer?.forceContextLoss();
+    this.screen.end();
   }
 
   // --- what is shown ------------------------------------------------------------------------------------------------------
@@ -230,13 +206,13 @@ export class Viewer {
     this.ring.set(vertex);
     for (const view of views) {
       this.labels[view].hovered = vertex;
-      this.placeLabels(view, this.places[view].getBoundingClientRect());
+      this.placeLabels(view, this.boxOf(view));
     }
   }
 
   setLabels(view: View, group: string, labels: readonly Label[]): void {
     this.labels[view].set(group, labels);
-    requestAnimationFrame(() => this.placeLabels(view, this.places[view].getBoundingClientRect()));
+    requestAnimationFrame(() => this.placeLabels(view, this.boxOf(view)));
   }
 
   /** Reads the colours anew, after the theme changed. */
@@ -247,7 +223,7 @@ export class Viewer {
   }
 
   private colours(): Colours {
-    return readColours(this.canvas.parentElement ?? document.body);
+    return readColours(this.screen.stage);
   }
 
   // --- vertices and pixels ------------------------------------------------------------------------------------------------
@@ -271,7 +247,7 @@ export class Viewer {
   /** What there is to see in a view, for drawing it elsewhere; null where it is not on screen. */
   seen(view: View): Seen | null {
     const shown = this.shown?.[view];
-    const box = this.places[view].getBoundingClientRect();
+    const box = this.boxOf(view);
     if (!shown || box.width === 0 || box.height === 0) return null;
     this.aim(box);
     return seenBy(this.camera.camera, shown, box, this.colours());
@@ -345,7 +321,7 @@ export class Viewer {
   // --- drawing ------------------------------------------------------------------------------------------------------------
 
   request(): void {
-    if (!this.renderer) {
+    if (!this.awake) {
       this.stale = true;
       this.hooks.stale();
       return;
@@ -358,7 +334,7 @@ export class Viewer {
 
   /** A view as a PNG, without what lies over it. @throws Error when it is asleep */
   async photograph(view: View, transparent: boolean): Promise<Blob> {
-    const { renderer } = this;
+    const { renderer } = this.screen;
     if (!renderer) throw new Error('what sleeps draws nothing');
     const place = this.places[view];
     const background = transparent ? null : getComputedStyle(place.closest('.card') ?? document.body).backgroundColor;
@@ -366,13 +342,10 @@ export class Viewer {
   }
 
   private resize(): void {
-    const stage = this.canvas.parentElement;
-    if (!stage) return;
-    this.renderer?.setPixelRatio(Math.min(window.devicePixelRatio, 2));
-    this.renderer?.setSize(stage.clientWidth, stage.clientHeight, false);
+    this.screen.resize();
     // A camera that nobody has touched keeps the mesh in full view.
     if (this.framed) this.fit();
-    if (this.renderer) this.draw();
+    if (this.awake) this.draw();
     else this.request();
   }
 
@@ -404,28 +377,27 @@ export class Viewer {
   }
 
   private draw(): void {
-    const { renderer, shown, geometry } = this;
+    const { shown, geometry } = this;
+    const { renderer } = this.screen;
     if (!renderer) return;
     this.stale = false;
     renderer.setScissorTest(false);
     renderer.clear();
     if (!shown || !geometry) return;
-    const stage = this.canvas.getBoundingClientRect();
-    const scale = scaleOf(this.canvas);
+    const stage = this.screen.stage.clientHeight;
     const ratio = renderer.getPixelRatio();
     renderer.setScissorTest(true);
     for (const view of views) {
-      const box = this.places[view].getBoundingClientRect();
+      const box = this.boxOf(view);
+      const { left } = box;
       if (box.width === 0 || box.height === 0) continue;
       this.aim(box);
-      const [width, height] = [box.width / scale, box.height / scale];
-      const lengthPerPixel = this.camera.lengthPerPixel(this.camera.centre(), height);
-      const left = (box.left - stage.left) / scale;
-      const bottom = (stage.bottom - box.bottom) / scale;
-      renderer.setViewport(left, bottom, width, height);
-      for (const { shown: content, from, to } of this.contentsOf(view, width)) {
-        content.fit(width, height, ratio, lengthPerPixel);
-        renderer.setScissor(left + from, bottom, to - from, height);
+      const lengthPerPixel = this.camera.lengthPerPixel(this.camera.centre(), box.height);
+      const bottom = stage - box.top - box.height;
+      renderer.setViewport(left, bottom, box.width, box.height);
+      for (const { shown: content, from, to } of this.contentsOf(view, box.width)) {
+        content.fit(box.width, box.height, ratio, lengthPerPixel);
+        renderer.setScissor(left + from, bottom, to - from, box.height);
         renderer.render(content.scene, this.camera.camera);
       }
       this.placeLabels(view, box);
@@ -436,19 +408,16 @@ export class Viewer {
   }
 
   /** They lie over the canvas: nothing is drawn for them. */
-  private placeLabels(view: View, box: DOMRect): void {
+  private placeLabels(view: View, box: Box): void {
     const shown = this.shown?.[view];
     if (!shown || !this.geometry || box.width === 0) return;
     this.aim(box);
-    const scale = scaleOf(this.places[view]);
-    this.labels[view].place(this.camera.camera, shown, box.width / scale, box.height / scale);
+    this.labels[view].place(this.camera.camera, shown, box.width, box.height);
   }
 
   /** What is held on the graphics card, in numbers. */
-  get held(): { geometries: number; textures: number; programs: number } {
-    if (!this.renderer) return { geometries: 0, textures: 0, programs: 0 };
-    const { memory, programs } = this.renderer.info;
-    return { geometries: memory.geometries, textures: memory.textures, programs: programs?.length ?? 0 };
+  get held(): Screen['held'] {
+    return this.screen.held;
   }
 
   /** What a view of that width shows, from which pixel to which. */
@@ -461,6 +430,10 @@ export class Viewer {
       { shown: shown.a, from: 0, to: middle },
       { shown: shown.b, from: middle, to: width },
     ].filter(({ from, to }) => from < to);
+  }
+
+  private boxOf(view: View): Box {
+    return boxWithin(this.places[view], this.screen.stage);
   }
 
   private clear(): void {
