@@ -73,6 +73,14 @@ export async function pageHtml(frame: Frame, body: string): Promise<string> {
   const otherLang = languages.find((one) => one !== lang) as Lang;
   const say = sayer((await load(ids[0], lang)).shared);
   const list = lang === 'en' ? 'figures/index.html' : 'figures/de/index.html';
+  const page = lang === 'en' ? 'index' : lang;
+  const links = [
+    [list, 'figures'],
+    [`thesis/${page}.html`, 'article'],
+    [`class/${page}.html`, 'class'],
+  ]
+    .map(([path, name]) => tag('a', { href: `${up}${path}` }, say(name as string)))
+    .join('');
   const home = `${up}index.html${lang === 'en' ? '' : `?lang=${lang}`}`;
   return `<!doctype html>
 <html lang="${lang}">
@@ -87,7 +95,7 @@ ${data ? `${tag('link', { rel: 'alternate', type: 'application/json+oembed', hre
 ${scripts.map((file) => tag('script', { type: 'module', src: up + file }, '')).join('\n')}
 </head>
 <body>
-<nav class="site-line"><a class="home" href="${home}">polylap</a><a href="${up}${list}">${say('all')}</a><span class="spring"></span><a href="${other}" hreflang="${otherLang}" lang="${otherLang}">${say('other')}</a></nav>
+<nav class="site-line"><a class="home" href="${home}">polylap</a>${links}<span class="spring"></span><a href="${other}" hreflang="${otherLang}" lang="${otherLang}">${say('other')}</a></nav>
 <main>
 ${body}
 </main>
