@@ -4,7 +4,7 @@ import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { Client } from '../../wasm/src/index.js';
 import { createClient } from '../../wasm/src/node.js';
 import { type Figure, initialSettings } from '../../web/figures/figure.js';
-import { ids } from '../../web/figures/list.js';
+import { ids, load } from '../../web/figures/list.js';
 import { languages, sayer, type Words } from '../../web/figures/words.js';
 import { readyWords } from '../../web/figures/words.mjs';
 
@@ -80,5 +80,16 @@ describe.each(ids)('%s', (id) => {
       // Colours are classes, and no policy allows styles in attributes.
       expect(drawing).not.toMatch(/\s(style|fill|stroke|on\w+)=|NaN|undefined/);
     }
+  });
+
+  it('writes numbers in German with a comma', async () => {
+    const { figure, words } = await load(id, 'de');
+    if (figure.kind !== 'drawn') return;
+    const settings = initialSettings(figure);
+    const data = await figure.compute(client, settings);
+    const drawn = [...figure.draw(data, settings, sayer(words)).matchAll(/>([^<]+)</g)].map(([, text]) => text);
+    const shown = [...figure.read(data, settings).map(({ text }) => text), ...drawn];
+    for (const text of shown) expect(text).not.toMatch(/\d\.\d/);
+    expect(shown.some((text) => /\d,\d/.test(text ?? ''))).toBe(true);
   });
 });

@@ -1,4 +1,5 @@
 /** All figures there are, each loaded when it is wanted. A new one is its folder, with figure.ts, en.json and de.json, and its id here. */
+import { written } from './digits.js';
 import type { Figure } from './figure.js';
 import type { Lang, Shared, Words } from './words.js';
 
@@ -43,5 +44,5 @@ export const load: Load = async (id, lang) => {
     from(words, `./${id}/${lang}.json`),
     from(shared, `./${lang}.json`),
   ]);
-  return { figure, words: own, shared: common };
+  return { figure: written(figure, lang), words: own, shared: common };
 };

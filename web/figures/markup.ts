@@ -1,5 +1,6 @@
 /** A figure as HTML: the same when the site is built and in an embed. Nothing in it is inline: no styles, no handlers. */
 import { exact } from '../src/format.js';
+import { digitsIn } from './digits.js';
 import type { Control, Figure, Reading, Setting, Settings } from './figure.js';
 import type { Loaded } from './list.js';
 import { escapeText, tag } from './svg.js';
@@ -21,7 +22,7 @@ export const readingText = ({ text, value }: Reading): string => text ?? exact(v
 /** What the runtime has to know of controls before the figure itself is loaded. */
 const controlData = ({ controls }: Figure): string => JSON.stringify(controls);
 
-function controlHtml(control: Control, setting: Setting, { words }: Loaded): string {
+function controlHtml(control: Control, setting: Setting, { words, lang }: Shown): string {
   const { id, kind } = control;
   const name = words.controls[id] ?? id;
   if (kind === 'slider') {
@@ -36,7 +37,7 @@ function controlHtml(control: Control, setting: Setting, { words }: Loaded): str
       value: String(setting),
       autocomplete: 'off',
     });
-    const output = tag('output', { 'data-of': id }, exact(Number(setting)));
+    const output = tag('output', { 'data-of': id }, digitsIn(lang, exact(Number(setting))));
     return tag('label', { class: 'slider' }, tag('span', { class: 'name' }, name), input, output);
   }
   if (kind !== 'choice') return '';

@@ -6,6 +6,7 @@ import { exact } from '../src/format.js';
 import { latest } from '../src/latest.js';
 import type { Client } from '../src/polylap.js';
 import type { ComparedPage } from './compared.js';
+import { digitsIn } from './digits.js';
 import type { Control, Point, Reading, Setting, Settings } from './figure.js';
 import { grasp } from './grasp.js';
 import { type Load, type Loaded, load } from './list.js';
@@ -137,6 +138,10 @@ class LiveFigure implements Mounted {
     return this.element.dataset.kind === 'compared';
   }
 
+  get #lang(): Lang {
+    return this.element.lang === 'de' ? 'de' : 'en';
+  }
+
   get #form(): HTMLFormElement | null {
     return this.element.querySelector('form');
   }
@@ -175,7 +180,7 @@ class LiveFigure implements Mounted {
   async #fetch(): Promise<{ loaded: Loaded; client: Client }> {
     this.element.dataset.state = 'loading';
     this.#say(this.element.querySelector<HTMLElement>('.note')?.dataset.loading ?? '');
-    const lang = this.element.lang === 'de' ? 'de' : 'en';
+    const lang = this.#lang;
     const { client = sharedClient, load: from = load } = this.#options;
     const [loaded, started] = await Promise.all([from(this.id, lang), client()]);
     this.#say('');
@@ -254,7 +259,7 @@ class LiveFigure implements Mounted {
         else if (input.valueAsNumber !== setting) input.valueAsNumber = Number(setting);
       }
       const output = this.element.querySelector(`output[data-of="${CSS.escape(id)}"]`);
-      if (output) output.textContent = exact(Number(setting));
+      if (output) output.textContent = digitsIn(this.#lang, exact(Number(setting)));
     }
   }
 

@@ -13,7 +13,7 @@ export const mathml = (latex, displayMode = false) =>
   temml.renderToString(latex, { displayMode, throwOnError: true }).replaceAll(/ style="[^"]*"/g, '');
 
 /** A formula with the point after it, which would begin the next line otherwise. */
-function inline(part) {
+export function inline(part) {
   const end = part.lastIndexOf('$');
   const [formula, after] = [mathml(part.slice(1, end)), part.slice(end + 1)];
   return after ? `<span class="joined">${formula}${after}</span>` : formula;

@@ -6,7 +6,7 @@
 //   ::figure id, ::other     blocks that come from elsewhere, a line each
 //   :::exercise Title {#id} … :::answer … :::
 import { Marked } from 'marked';
-import { mathml } from '../figures/words.mjs';
+import { inline, mathml } from '../figures/words.mjs';
 
 export const escapeText = (text) =>
   text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;').replaceAll('"', '&quot;');
@@ -68,10 +68,10 @@ export function convert(text, { say, blocks = {}, references = {} }) {
       level: 'inline',
       start: (source) => source.indexOf('$'),
       tokenizer(source) {
-        const [raw, latex] = source.match(/^\$([^$]+)\$/) ?? [];
-        return raw && { type: 'math', raw, latex };
+        const [raw] = source.match(/^\$[^$]+\$[.,:;!?)]*/) ?? [];
+        return raw && { type: 'math', raw };
       },
-      renderer: ({ latex }) => mathml(latex),
+      renderer: ({ raw }) => inline(raw),
     },
     {
       name: 'citation',
