@@ -19,6 +19,8 @@ export default defineConfig({
     target: ['chrome123', 'firefox121', 'safari17.5'],
     manifest: 'light.json',
     rollupOptions: {
+      // How long plugins take is nobody's concern.
+      checks: { pluginTimings: false },
       input: { figures: file('figures/page.ts'), thesis: file('thesis/article.ts'), class: file('class/class.ts') },
     },
   },

@@ -166,6 +166,17 @@ describe('a plain page on another origin', () => {
     await close();
   });
 
+  it('shows two operators in a frame', async () => {
+    const { page, troubles, close } = await show(around(snippet('iframe-compare.html')));
+    const frame = page.frameLocator('iframe').locator('polylap-compare');
+    await expect.poll(async () => Number((await negative(frame))[0])).toBeGreaterThan(900);
+    expect(await negative(frame)).toEqual([expect.stringMatching(/^\d+$/), '0']);
+    expect(await frame.getByRole('tab', { name: 'Smooth' }).isVisible()).toBe(true);
+    await picture(page, 'host-iframe-compare');
+    expect(troubles).toEqual([]);
+    await close();
+  });
+
   it('shows a poster', async () => {
     const { page, troubles, close } = await show(around(snippet('poster.html')));
     await expect
