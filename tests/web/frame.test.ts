@@ -205,6 +205,29 @@ describe('keys=release', () => {
     await at.close();
   });
 
+  it('holds for the whole page, too', async () => {
+    const at = await host(
+      `<iframe width="1000" height="600" src="${site.url}index.html?embed&keys=release&mesh=noisy-torus"></iframe>`,
+    );
+    const { page, frame } = at;
+    await at.event('ready');
+    const handed = async () =>
+      (await at.heard()).filter(({ event, detail }) => event === 'key' && detail?.type === 'keydown');
+    await frame.getByRole('tab', { name: 'Smooth' }).click();
+    await page.keyboard.press('ArrowRight');
+    await eventually(async () => (await handed()).length).toBe(1);
+    expect((await at.ask('getState')).result).toMatchObject({ task: 'smooth' });
+    // Where arrows would turn the mesh.
+    await frame.locator('.view').first().click();
+    const camera = async () => ((await at.ask('getState')).result as { camera: unknown }).camera;
+    await eventually(camera).not.toBe(null);
+    const before = await camera();
+    for (const key of ['ArrowUp', 'Space', 'PageDown']) await page.keyboard.press(key);
+    await eventually(async () => (await handed()).length).toBe(4);
+    expect(await camera()).toEqual(before);
+    await at.close();
+  });
+
   it('is a choice', async () => {
     const at = await host(figure());
     await at.event('ready');
@@ -319,6 +342,7 @@ describe('polylap.html from a disk', () => {
     const address = pathToFileURL(join(dist, 'polylap.html')).href;
     await page.goto(`${address}#mesh=torus?nu=12%26nv=8&task=check&lang=de`);
     const state = () => page.evaluate(() => document.querySelector('polylap-compare')?.getState());
+    await page.locator('polylap-compare').waitFor();
     expect(await state()).toMatchObject({
       task: 'check',
       source: { shape: { id: 'torus', parameters: { nu: 12, nv: 8 } } },

@@ -96,7 +96,7 @@ const starter = `(async () => {
   script.type = 'module';
   script.textContent = await new Response(stream).text();
   document.head.append(script);
-})();`;
+})().catch(() => document.body.prepend('This file needs a newer browser.'));`;
 
 /** What such a file is allowed: what is in it, and nothing else. The policy is its own, so that the file can be kept anywhere. */
 const policyOf = (scripts, styles) =>

@@ -1,3 +1,4 @@
+import { wanted } from '../embed/wanted.js';
 import type { App } from './app.js';
 import { explain } from './messages.js';
 import { type Mounted, mount } from './mount.js';
@@ -73,7 +74,7 @@ declare global {
 }
 
 async function begin(): Promise<void> {
-  const asked = new URLSearchParams(location.search);
+  const asked = wanted();
   if (asked.has('embed')) {
     await import('../embed/frame-page.js');
     return;
