@@ -221,6 +221,10 @@ describe('attributes', () => {
     expect(sizes[0]).toBe(sizes[1]);
     expect(sizes[2]).toBe(513);
     expect(await page.locator('#narrow [data-view=b]').isVisible()).toBe(false);
+    // It scrolls in one place only.
+    expect(await page.locator('#narrow .panel').evaluate((e) => e.scrollHeight - e.clientHeight)).toBeLessThanOrEqual(
+      0,
+    );
     const wider = await page.locator('#narrow .polylap').evaluate((e) => e.scrollWidth - e.clientWidth);
     expect(wider).toBeLessThanOrEqual(0);
     // The menu opens where its button is, not in a corner of the host's window.
