@@ -1,7 +1,7 @@
 import type { App } from '../app.js';
 import { h } from '../dom.js';
 import { formatOfText } from '../mesh-text.js';
-import { t } from '../words.js';
+import { language, t } from '../words.js';
 import { button } from './controls.js';
 
 const shortcuts = (): readonly (readonly [string, string])[] => [
@@ -29,7 +29,21 @@ const shortcuts = (): readonly (readonly [string, string])[] => [
   ['?', t('this help')],
 ];
 
-export function helpDialog(): HTMLDialogElement {
+/** What else the site has; nothing of it lies beside the page that is one file. */
+function besides(address: string | null): HTMLElement | null {
+  if (address === null || !/\/(index\.html)?$/.test(new URL(address).pathname)) return null;
+  const file = language() === 'en' ? 'index.html' : `${language()}.html`;
+  const places = [
+    [language() === 'en' ? 'figures/' : `figures/${language()}/`, 'index.html', t('Twelve figures')],
+    ['thesis/', file, t('An interactive article')],
+    ['class/', file, t('Use it in class')],
+  ] as const;
+  const link = ([folder, name, label]: (typeof places)[number]) =>
+    h('li', {}, h('a', { href: new URL(folder + name, address).href }, label));
+  return h('ul', { class: 'besides' }, ...places.map(link));
+}
+
+export function helpDialog(app: App): HTMLDialogElement {
   const dialog = h(
     'dialog',
     { class: 'dialog', 'aria-labelledby': 'help-title' },
@@ -41,6 +55,7 @@ export function helpDialog(): HTMLDialogElement {
         'Each side builds a discrete Laplace operator from the same polygons and counts its negative weights, pair by ordered pair. A negative weight breaks the maximum principle: see it happen in Harmonic, what each operator makes of the surface in Smooth, and what else it promises and keeps in Check. Everything is computed on your machine; nothing is uploaded. Vertices and faces count from 0, lines of a file from 1.',
       ),
     ),
+    besides(app.address()),
     h('dl', { class: 'shortcuts' }, ...shortcuts().flatMap(([keys, what]) => [h('dt', {}, keys), h('dd', {}, what)])),
     h(
       'div',

@@ -35,7 +35,7 @@ export function page(
   photograph: Photographer,
   speak?: (language: Language) => void,
 ): Page {
-  const help = later(app, root, t('Help'), async () => (await import('./dialogs.js')).helpDialog());
+  const help = later(app, root, t('Help'), async () => (await import('./dialogs.js')).helpDialog(app));
   const files = intake(app, root, scope);
   const cards = { a: card(app, 'a'), b: card(app, 'b'), delta: deltaCard(app) };
   const canvas = h('canvas', { class: 'scene', 'aria-hidden': 'true' });
