@@ -108,6 +108,23 @@ describe('attributes', () => {
     await close();
   });
 
+  it('shows the pair in columns as wide as text, one side where there is less room', async () => {
+    const { page, close } = await hosts.open(`<div id="column">${element('one', 'loading="eager"')}</div>`);
+    await showsNegative(page, 'one', 2048, 0);
+    const seen = async (width: number) => {
+      await page.locator('#column').evaluate((column, w) => column.style.setProperty('width', `${w}px`), width);
+      const card = (side: string) => page.locator(`#one .card[data-side=${side}]`).isVisible();
+      return Promise.all(['a', 'b', 'delta'].map(card));
+    };
+    await soon(() => seen(960)).toEqual([true, true, false]);
+    await soon(() => seen(700)).toEqual([true, true, false]);
+    await picture(page, 'element-column');
+    await page.locator('#one').getByRole('button', { name: 'Δ Difference' }).click();
+    await soon(() => seen(680)).toEqual([true, true, true]);
+    await soon(async () => (await seen(600)).filter(Boolean)).toHaveLength(1);
+    await close();
+  });
+
   it('that cannot be had are told of, and the rest is shown', async () => {
     const wrong = [
       ['mesh="teapot"', 'There is no mesh “teapot”'],
@@ -144,6 +161,16 @@ describe('attributes', () => {
       'gone.obj could not be loaded',
     );
     expect(await page.locator('#bad').getByRole('alert').last().textContent()).toContain('Line 2');
+    const why = await page.locator('#good').evaluate((good) =>
+      (good as HTMLElementTagNameMap['polylap-compare']).load('none.obj').then(
+        () => '',
+        ({ message }: Error) => message,
+      ),
+    );
+    expect(why).toContain('none.obj says 404');
+    await soon(async () => JSON.stringify(await toldBy(page, 'good', 'error'))).toContain(
+      'none.obj could not be loaded',
+    );
     await picture(page, 'element-errors');
     await close();
   });

@@ -89,6 +89,21 @@ describe('two cuts', () => {
     expect([read.w02?.bad, read.w13?.bad]).toEqual([true, false]);
   });
 
+  it.each([
+    [0, [0.8, 0.55]],
+    [1, [1, 0.55]],
+  ] as const)('leaves one cut where corner %s is drawn in past its neighbours', async (corner, point) => {
+    const handle = twoCuts.controls[corner] as { min: Point; max: Point };
+    for (const axis of [0, 1] as const) {
+      expect(point[axis]).toBeGreaterThanOrEqual(handle.min[axis]);
+      expect(point[axis]).toBeLessThanOrEqual(handle.max[axis]);
+    }
+    const read = await at(twoCuts, { [`corner-${corner}`]: point });
+    const [inside, outside] = corner === 0 ? ['w02', 'w13'] : ['w13', 'w02'];
+    expect(value(read, outside as string)).toBeNaN();
+    expect(value(read, inside as string)).toBeGreaterThan(0);
+  });
+
   it('gives the cotangent weights of convex quads, and Delaunay takes the one that is not negative', async () => {
     const quads: Point[][] = [
       [

@@ -142,6 +142,11 @@ describe('what is said', () => {
   it('says what is wrong with a request', async () => {
     expect((await at.ask('nonsense')).error?.message).toContain('there is no method nonsense: there are getState');
     expect((await at.ask('constructor')).error?.message).toContain('there is no method constructor');
+    expect((await at.ask('setState', 'x')).error?.message).toBe('the state has no settings');
+    expect((await at.ask('setState', { figure: 'two-cuts', settings: {} })).error?.message).toContain(
+      'of the figure two-cuts',
+    );
+    expect((await at.ask('setState', { settings: {} })).result).toBeNull();
   });
 
   it('hears nothing that is malformed, and nothing from anybody else', async () => {

@@ -25,7 +25,12 @@ export function frameFigure(figure: Mounted): void {
   };
   const methods = {
     getState: () => ({ figure: figure.id, settings: figure.settings() }),
-    setState: async ({ settings = {} }: { settings?: Settings }) => set(settings),
+    setState: async (state: unknown) => {
+      const { figure: id = figure.id, settings } = Object(state) as { figure?: unknown; settings?: unknown };
+      if (id !== figure.id) throw new Error(`the state is of the figure ${id}, and this is ${figure.id}`);
+      if (typeof settings !== 'object' || settings === null) throw new Error('the state has no settings');
+      await set(settings as Settings);
+    },
     reset: async () => {
       figure.reset();
       await figure.wake();

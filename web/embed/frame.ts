@@ -53,7 +53,8 @@ async function answer({ methods }: Embedded, { id, method, params }: Call, post:
   try {
     const work = Object.hasOwn(methods, method) ? methods[method] : undefined;
     if (!work) throw new Error(`there is no method ${method}: there are ${Object.keys(methods).join(', ')}`);
-    post({ id, result: await work(...(params as never[])) });
+    // Null says that it is done: of a result that is undefined nothing would be left in JSON.
+    post({ id, result: (await work(...(params as never[]))) ?? null });
   } catch (reason) {
     post({ id, error: { message: reason instanceof Error ? reason.message : String(reason) } });
   }

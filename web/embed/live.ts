@@ -185,11 +185,19 @@ export class LivePage {
   /** A mesh of the host's. What goes wrong is shown. */
   private async fetched(address: string, app = this.app): Promise<void> {
     const name = decodeURIComponent(new URL(address, document.baseURI).pathname.split('/').pop() ?? '') || address;
+    // It has been told.
+    const contents = await this.had(address, name, app).catch(() => null);
+    if (contents) await app.meshes.open(contents, name);
+  }
+
+  /** What is at an address. @throws Error, which is shown, too */
+  private async had(address: string, name = address, app = this.app): Promise<Blob> {
     try {
-      await app.meshes.open(await meshAt(address), name);
+      return await meshAt(address);
     } catch (reason) {
       const text = reason instanceof Error ? reason.message : String(reason);
       app.results.set({ error: { title: t('{name} could not be loaded', { name }), text } });
+      throw reason;
     }
   }
 
@@ -243,7 +251,7 @@ export class LivePage {
 
   async load(from: MeshFile, name?: string): Promise<{ vertices: number; faces: number }> {
     const { app } = this;
-    const contents = typeof from === 'string' ? await meshAt(from) : from instanceof Blob ? from : new Blob([from]);
+    const contents = typeof from === 'string' ? await this.had(from) : from instanceof Blob ? from : new Blob([from]);
     const known = typeof from === 'string' ? from.replace(/[?#].*$/, '').replace(/.*\//, '') : '';
     const file = name ?? (from instanceof File ? from.name : known || 'mesh.obj');
     const error = await app.meshes.open(contents, file);

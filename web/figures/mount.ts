@@ -159,6 +159,11 @@ class LiveFigure implements Mounted {
   readonly #show = latest(async (settings: Settings): Promise<void> => {
     const awake = await this.#loaded();
     if (awake && !this.#gone.signal.aborted) await this.#update(settings, awake);
+    // Controls and figure go on saying the same.
+    if (!awake) {
+      this.#settings = this.#computed?.settings ?? this.#initial();
+      this.#showControls();
+    }
     if (settings !== this.#settings && awake) return;
     this.element.dataset.state = awake ? 'ready' : 'asleep';
     const finished = this.#finished;
@@ -190,6 +195,7 @@ class LiveFigure implements Mounted {
   async #update(settings: Settings, { loaded, client }: { loaded: Loaded; client: Client }): Promise<void> {
     const { figure, words, shared } = loaded;
     this.element.dataset.state = 'busy';
+    void this.#link(settings, loaded);
     try {
       const stale =
         !this.#computed ||
@@ -207,7 +213,6 @@ class LiveFigure implements Mounted {
       const message = reason instanceof Error ? reason.message : String(reason);
       this.#say(sayer(shared)('error', { reason: message }));
     }
-    void this.#link(settings, loaded);
   }
 
   async #started(client: Client): Promise<ComparedPage> {

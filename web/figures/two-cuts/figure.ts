@@ -8,9 +8,9 @@ import { circle, fixed, group, handle, indexed, type Label, labels, line, plane,
 
 /** Each corner stays in its own quarter around the middle, so that sides never cross. */
 const quarters = {
-  left: [-0.5, 0.8],
+  left: [-0.5, 0.9],
   right: [1, 2.3],
-  low: [-0.4, 0.42],
+  low: [-0.4, 0.55],
   high: [0.58, 1.4],
 } as const;
 
